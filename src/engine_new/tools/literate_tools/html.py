@@ -10,7 +10,6 @@ import os
 import re
 import shutil
 import subprocess
-import urllib.parse
 from pathlib import Path
 
 from literate_tools.common import ENGINE, Failure, tool, warn, write_bytes
@@ -27,6 +26,7 @@ Makes the paper a web page beside its PDF, which has to be up to date. Without S
 
 Exit codes: 0 done, 1 done but a check or claim failed, 2 the document cannot be a page, 3 a tool failed."""
 
+FONT = "latinmodern-math"
 LARGEST_SVG = 1_000_000  # bytes; a larger drawing, such as a map of colours, becomes a PNG
 MAGNIFIED = 1.3  # the text of the page is so much larger than that of the PDF
 
@@ -85,7 +85,7 @@ def convert(settings: Settings, work: Path) -> str:
     paths = [f"--path={path}" for path in (PAGE, work, settings.output)]
     command = [tool("latexml"), "--quiet", *paths, f"--log={work / 'latexml.log'}", f"--destination={work / 'page.xml'}", settings.main]
     subprocess.run(command, cwd=settings.document, env=environment(settings), stdin=subprocess.DEVNULL, capture_output=True)
-    errors = list(errors_in((work / "latexml.log").read_text(errors="replace"), settings))
+    errors = errors_in((work / "latexml.log").read_text(errors="replace"), settings)
     if errors:
         raise Failure("\n".join(errors))
     command = [tool("latexmlpost", "latexml"), "--novalidate", "--format=html5", "--pmml", "--svg", "--nographicimages",
@@ -99,14 +99,16 @@ def convert(settings: Settings, work: Path) -> str:
 
 
 def errors_in(log: str, settings: Settings) -> list[str]:
-    """Yields the errors in LaTeXML's log, each with its file, line and column."""
+    """Returns the errors in LaTeXML's log, each with its file, line and column."""
+    errors = []
     pattern = r"^(?:Error|Fatal):([^:\s]+):(\S+) (.*?)(?:  +.*)?(?:\n\tat (.+?); line (\d+) col (\d+).*)?$"
     for kind, subject, message, name, line, column in re.findall(pattern, log, re.MULTILINE):
         if kind == "undefined":
             message = f"LaTeXML does not know {subject}"
         files = list(settings.document.rglob(name)) if name else []
         place = settings.shown(files[0]) if len(files) == 1 else name
-        yield f"{place}:{line}:{int(column) + 1}: {message}" if name else message
+        errors.append(f"{place}:{line}:{int(column) + 1}: {message}" if name else message)
+    return errors
 
 
 def tool_output(command: list, folder: Path, settings: Settings) -> str:
@@ -124,7 +126,7 @@ def one_file(html: str, settings: Settings, work: Path) -> str:
     sources = list(dict.fromkeys(re.findall(r'<img src="([^"]+)"', html)))
     draw([Path(source).stem for source in sources if source.startswith("drawings/")], settings, work)
     html = re.sub(r'<img src="([^"]+)" data-options="([^"]*)"',
-                  lambda match: picture(source_file(match[1], settings, work), match[2]), html)
+                  lambda match: picture(match[1], match[2], settings, work), html)
     html = re.sub(r"<!--Generated .*?-->\n?", "", html, flags=re.DOTALL)
     html = re.sub(r'<div class="ltx_listing_data">.*?</div>', "", html, flags=re.DOTALL)  # copies of listings
     html = re.sub(r' mathsize="[^"]*"|(?<=style=")font-size:[\d.]+%;', "", html)  # sizes are those of the style sheet
@@ -155,12 +157,12 @@ def with_levels(html: str) -> str:
 
 
 def style(work: Path, settings: Settings) -> str:
-    """Returns the style sheet with its font in it."""
-    def font(match: re.Match) -> str:
-        otf = Path(tool_output([tool("kpsewhich", "texlive-binaries"), f"{match[1]}.otf"], work, settings).strip())
-        tool_output([tool("woff2_compress", "woff2"), shutil.copy(otf, work)], work, settings)
-        return f'url("{data_uri("font/woff2", (work / match[1]).with_suffix(".woff2"))}")'
-    return re.sub(r'url\("(.+?)\.woff2"\)', font, (PAGE / "page.css").read_text())
+    """Returns the style sheet with its font in it: without one for formulas, Greek letters may be empty boxes."""
+    otf = tool_output([tool("kpsewhich", "texlive-binaries"), f"{FONT}.otf"], work, settings).strip()
+    if not otf:
+        raise Failure(f"{FONT}.otf is not installed (Debian package fonts-lmodern)", 3)
+    tool_output([tool("woff2_compress", "woff2"), shutil.copy(otf, work)], work, settings)
+    return (PAGE / "page.css").read_text().replace(f"{FONT}.woff2", data_uri("font/woff2", work / f"{FONT}.woff2"))
 
 
 def draw(names: list[str], settings: Settings, work: Path) -> None:
@@ -186,27 +188,20 @@ def as_picture(pdf: Path, number: int, stem: Path, settings: Settings) -> Path:
     return Path(f"{stem}.png")
 
 
-def source_file(source: str, settings: Settings, work: Path) -> Path:
-    """Returns the file of a picture: a drawing of the program, or what the author includes."""
-    if source.startswith("drawings/"):
-        svg = work / source
-        return svg if svg.exists() else svg.with_suffix(".png")
-    file = settings.document / source
-    return as_picture(file, 1, work / "drawings" / f"of-{file.stem}", settings) if file.suffix == ".pdf" else file
-
-
-def picture(file: Path, options: str) -> str:
+def picture(source: str, options: str, settings: Settings, work: Path) -> str:
     """Returns the begin of an <img> with its data and its width, which is that of the PDF times MAGNIFIED."""
-    data = file.read_bytes()
-    width = re.search(r"width=([\d.]+)pt", options) or re.search(r'<svg[^>]* width="([\d.]+)', data[:500].decode(errors="replace"))
+    file = work / source if source.startswith("drawings/") else settings.document / source
+    if file.suffix == ".pdf":
+        file = as_picture(file, 1, work / "drawings" / f"of {file.stem}", settings)
+    elif not file.exists():
+        file = file.with_suffix(".png")
+    head = file.read_bytes()[:500].decode(errors="replace")
+    width = re.search(r"width=([\d.]+)pt", options) or re.search(r'<svg[^>]* width="([\d.]+)', head)
     shown = f' style="width:{MAGNIFIED * float(width[1]):.0f}pt"' if width else ""
     kind = {".svg": "image/svg+xml", ".jpg": "image/jpeg"}.get(file.suffix, f"image/{file.suffix[1:]}")
     return f'<img src="{data_uri(kind, file)}"{shown}'
 
 
 def data_uri(kind: str, file: Path) -> str:
-    """Returns a file as an address that holds the data itself; SVG as text, which is shorter."""
-    if kind == "image/svg+xml":
-        text = re.sub(r"\s+", " ", file.read_text()).replace('"', "'")
-        return f"data:{kind},{urllib.parse.quote(text, safe=chr(32) + '=:/;,.()+*!?@$&~-_' + chr(39))}"
+    """Returns a file as an address that holds the data itself."""
     return f"data:{kind};base64,{base64.b64encode(file.read_bytes()).decode()}"
