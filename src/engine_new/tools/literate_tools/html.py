@@ -158,7 +158,7 @@ def with_levels(html: str) -> str:
 
 def style(work: Path, settings: Settings) -> str:
     """Returns the style sheet with its font in it: without one for formulas, Greek letters may be empty boxes."""
-    otf = tool_output([tool("kpsewhich", "texlive-binaries"), f"{FONT}.otf"], work, settings).strip()
+    otf = subprocess.run([tool("kpsewhich", "texlive-binaries"), f"{FONT}.otf"], capture_output=True, text=True).stdout.strip()
     if not otf:
         raise Failure(f"{FONT}.otf is not installed (Debian package fonts-lmodern)", 3)
     tool_output([tool("woff2_compress", "woff2"), shutil.copy(otf, work)], work, settings)
