@@ -4,42 +4,29 @@
 Left out are the labels in drawings, which the page shows as pictures."""
 
 import collections
-import html.parser
+import html
 import re
 import subprocess
 import sys
 import unicodedata
 from pathlib import Path
 
-LEFT_OUT = {"style", "head", "script", "svg"}
-VOID = {"meta", "link", "img", "br", "hr", "col", "wbr"}
-IN_LINE = {"a", "span", "em", "i", "b", "code", "sup", "sub", "cite", "math", "mrow", "mi", "mn", "mo", "mtext", "msup", "msub", "mstyle"}
+LEFT_OUT = r'<head>.*?</head>|<svg\b.*?</svg>|<nav class="contents".*?</nav>'
+WITHIN_WORDS = r"</?(?:a|em|i|b|sup|sub|cite|m(?:ath|row|i|n|o|text|sup|sub|style))\b[^>]*>"
 
 
-class Page(html.parser.HTMLParser):
-    """The text of a page."""
+def page_text(page):
+    text = re.sub(LEFT_OUT, "", Path(page).read_text(encoding="utf-8"), flags=re.DOTALL)
+    return html.unescape(re.sub(r"<[^>]*>", " ", re.sub(WITHIN_WORDS, "", text)))
 
-    def __init__(self, text):
-        super().__init__()
-        self.open, self.text = [], ""
-        self.feed(text)
 
-    def handle_starttag(self, tag, attributes):
-        is_apart = tag not in IN_LINE or re.search("ltx_note_outer|width:", str(attributes))
-        self.text += " " if is_apart else ""
-        if tag not in VOID:
-            self.open.append((tag, is_apart))
+def pdf_text(pdf):
+    return subprocess.run(["pdftotext", "-nopgbrk", pdf, "-"], capture_output=True, text=True, check=True).stdout
 
-    def handle_endtag(self, tag):
-        while self.open:
-            closed, is_apart = self.open.pop()
-            self.text += " " if is_apart else ""
-            if closed == tag:
-                break
 
-    def handle_data(self, data):
-        if not LEFT_OUT & {tag for tag, _ in self.open}:  # nor the contents that only the page has
-            self.text += data
+def normal(text):
+    """No ligatures, and one kind of space, so that «1.594 640» is the decimal 1.594 on both sides; in formulas nothing invisible."""
+    return re.sub(r"[\s\u2061-\u2063\u2060]", " ", unicodedata.normalize("NFKC", text))
 
 
 def words(text):
@@ -50,28 +37,20 @@ def decimals(text):
     return collections.Counter(re.findall(r"\d+\.\d+", text))
 
 
-def normal(text):
-    """One kind of space, so that «1.594 640» is the decimal 1.594 on both sides; no ligatures, no invisible signs."""
-    text = re.sub(r"[\u2061-\u2063\u200b\u2060]", " ", unicodedata.normalize("NFKC", text))
-    return re.sub(r"\s", " ", text)
-
-
-def pdf_text(pdf):
-    return subprocess.run(["pdftotext", "-nopgbrk", pdf, "-"], capture_output=True, text=True, check=True).stdout
+def unbroken(broken, known):
+    """A word that is broken at the end of a line, or its halves if only these are words."""
+    halves = re.split(r"[-\u2010]\n", broken)
+    return "".join(halves) if "".join(halves).lower() in known else " ".join(halves)
 
 
 def differences(pdf, page, drawings=None):
     """Returns the words of the PDF that the page lacks, and the decimals that only one of them has."""
-    on_page = normal(Page(Path(page).read_text(encoding="utf-8")).text)
+    on_page = normal(page_text(page))
     known = words(on_page)
-    text = pdf_text(pdf)
-    # A word that is hyphenated at the end of a line, unless only its halves are words.
-    text = re.sub(r"(\w+)[-\u2010]\n(\w+)", lambda halves: "".join(halves.groups()) if "".join(halves.groups()).lower() in known
-                  else " ".join(halves.groups()), text)
-    in_pdf, drawn = normal(text), normal(pdf_text(drawings)) if drawings else ""
-    missing = words(in_pdf) - known - words(drawn)
+    in_pdf = normal(re.sub(r"\w+[-\u2010]\n\w+", lambda word: unbroken(word[0], known), pdf_text(pdf)))
+    drawn = normal(pdf_text(drawings)) if drawings else ""
     here, there = decimals(in_pdf) - decimals(drawn), decimals(on_page)
-    return missing, here - there, there - here
+    return words(in_pdf) - known - words(drawn), here - there, there - here
 
 
 if __name__ == "__main__":
