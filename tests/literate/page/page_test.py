@@ -122,7 +122,8 @@ class Pages(Case):
 
     def says_the_same(self, paper, *apart):
         """On the page the ledger has no heads of columns, and what stands in front of an integral is a word of its own."""
-        missing, in_pdf, on_page = text.differences(paper.output / f"{paper.output.name}.pdf", paper.page, paper.output / "page/pdf.pdf")
+        missing, in_pdf, on_page = text.differences(paper.output / f"{paper.output.name}.pdf", paper.page, paper.output / "page/pdf.pdf",
+                                                    paper.generated / "ledger.tex")
         self.assertLessEqual(set(missing), {"statement", "and", "test", "limit", "from", "dφ", *apart})
         self.assertEqual((list(in_pdf), list(on_page)), ([], []))
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares the words and decimals of a PDF with those of its page: text.py PDF PAGE [DRAWINGS.pdf] prints what one of them lacks.
+"""Compares the words and decimals of a PDF with those of its page: text.py PDF PAGE DRAWINGS.pdf LEDGER.tex prints what one of them lacks.
 
-Left out are the labels in drawings, which the page shows as pictures."""
+Left out are the labels in drawings, which the page shows as pictures; and the page may have all of the ledger, which a document can
+shorten on paper."""
 
 import collections
 import html
@@ -43,14 +44,14 @@ def unbroken(broken, known):
     return "".join(halves) if "".join(halves).lower() in known else " ".join(halves)
 
 
-def differences(pdf, page, drawings=None):
+def differences(pdf, page, drawings, ledger):
     """Returns the words of the PDF that the page lacks, and the decimals that only one of them has."""
     on_page = normal(page_text(page))
     known = words(on_page)
     in_pdf = normal(re.sub(r"\w+[-\u2010]\n\w+", lambda word: unbroken(word[0], known), pdf_text(pdf)))
-    drawn = normal(pdf_text(drawings)) if drawings else ""
+    drawn, ledger = normal(pdf_text(drawings)), Path(ledger).read_text(encoding="utf-8")
     here, there = decimals(in_pdf) - decimals(drawn), decimals(on_page)
-    return words(in_pdf) - known - words(drawn), here - there, there - here
+    return words(in_pdf) - known - words(drawn), here - there, there - here - decimals(ledger)
 
 
 if __name__ == "__main__":
