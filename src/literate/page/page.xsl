@@ -39,6 +39,7 @@
     <xsl:element name="{substring('thtd', 1 + 2 * not($words), 2)}">
       <xsl:attribute name="class">
         <xsl:value-of select="concat('ltx_align_', @align)"/>
+        <xsl:if test="starts-with(normalize-space(.), '(')"> unit</xsl:if>
         <xsl:if test="contains(@border, 't')"> ltx_border_t</xsl:if>
         <xsl:if test="contains(@border, 'b')"> ltx_border_b</xsl:if>
       </xsl:attribute>

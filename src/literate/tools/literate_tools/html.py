@@ -135,12 +135,14 @@ def one_file(html: str, settings: Settings, work: Path) -> str:
 
 
 def with_spaces(html: str) -> str:
-    """Mends spaces in formulas: around slashes and lone signs, and, where LaTeXML's grammar fails, before minus and behind powers."""
+    """Mends spaces in formulas: at slashes and lone signs, and, where LaTeXML's grammar fails, at brackets, minus and powers."""
     html = re.sub(r"<math[^>]*><mo>([<>=≤≥])</mo></math>", r"\1", html)
+    for form, brackets in (("prefix", r"[(\[]"), ("postfix", r"[)\]]")):
+        html = re.sub(rf"<mo([^>]*>{brackets}</mo>)", rf'<mo form="{form}"\1', html)
     html = re.sub(r"<mo[^>]*>/</mo>", '<mo lspace="0" rspace="0">/</mo>', html)
     html = re.sub(r'<mo rspace="0em">(.)</mo><mo lspace="0em">−</mo>', r'<mo>\1</mo><mo form="prefix">−</mo>', html)
-    return re.sub(r'<mo rspace="([\d.]+em)" stretchy="false">\)</mo></mrow>(<m[ni]>[^<]*</m[ni]>)</msup>',
-                  r'<mo stretchy="false">)</mo></mrow>\2</msup><mspace width="\1"/>', html)
+    return re.sub(r'<mo form="postfix" rspace="([\d.]+em)" stretchy="false">\)</mo></mrow>(<m[ni]>[^<]*</m[ni]>)</msup>',
+                  r'<mo form="postfix" stretchy="false">)</mo></mrow>\2</msup><mspace width="\1"/>', html)
 
 
 def with_levels(html: str) -> str:
