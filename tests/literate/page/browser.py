@@ -20,7 +20,7 @@ addEventListener("load", async () => {
     violations: violations.map((found) => found.id + ": " + found.nodes.map((node) => node.html).join(" ").slice(0, 300)),
     requests: performance.getEntriesByType("resource").map((entry) => entry.name).filter((name) => !name.startsWith("data:")),
     width: document.scrollingElement.scrollWidth,
-    cards: document.querySelectorAll("article[popover]").length,
+    cards: [...document.querySelectorAll("article[popover]")].filter((card) => card.offsetHeight).length,
     card: document.querySelector(":popover-open")?.textContent ?? "",
     background: getComputedStyle(document.documentElement).backgroundColor,
     dead: [...document.querySelectorAll('a[href^="#"]')].map((link) => decodeURIComponent(link.hash.slice(1)))
