@@ -79,7 +79,7 @@ def altered_quotations(uses: list[Use], paper: Path) -> list[str]:
 
 def plain(text: str) -> str:
     """Returns the letters, digits and signs of a text: without blanks, hyphens, markup and the shapes of quotes and ligatures."""
-    text = re.sub(r"\\(?:[,;:! ]|[A-Za-z]+\s*)|[{}$~]", " ", text)
+    text = re.sub(r"\\(?:[,;:!/ -]|[A-Za-z]+\s*)|[{}$~\\]", " ", text)
     for shape, letters in (("ﬁ", "fi"), ("ﬂ", "fl"), ("ﬀ", "ff"), ("ﬃ", "ffi"), ("’", "'"), ("‘", "'"), ("``", '"'), ("''", '"'), ("“", '"'), ("”", '"')):
         text = text.replace(shape, letters)
     return re.sub(r"[\s\-–—\u00ad]", "", text).casefold()

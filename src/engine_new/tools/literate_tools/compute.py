@@ -7,16 +7,19 @@ import subprocess
 import sys
 from pathlib import Path
 
-from literate_tools.common import ENGINE, Failure, sha256, write_if_changed
+from literate_tools.common import ENGINE, Failure, date_back, file_time, sha256, write_if_changed
 from literate_tools.settings import Settings, read_settings
 
 
 def run(arguments: list[str]) -> int:
     """Computes the paper's own case. A claim that fails does not end the build here, but after the PDF."""
     settings = read_settings(arguments[0])
+    settings.generated.mkdir(parents=True, exist_ok=True)
+    start = file_time(settings.output)
     compute(settings, settings.case, settings.generated)
     for data in settings.generated.glob("figures/*/data.gp"):
         write_inputs(data.parent)
+    date_back([*settings.generated.glob("*.*"), *settings.generated.glob("figures/*/inputs.txt")], start)
     return 0
 
 

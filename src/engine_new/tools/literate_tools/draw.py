@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from literate_tools.common import Failure, nearest, tool
+from literate_tools.common import Failure, date_back, file_time, nearest, tool
 from literate_tools.settings import Settings, read_settings
 
 
@@ -25,6 +25,7 @@ def draw(settings: Settings, script: Path, generated: Path) -> None:
     if not (folder / "data.gp").exists():
         known = sorted(f.parent.name for f in generated.glob("figures/*/data.gp"))
         raise Failure(f"{shown}: the program registers no figure '{name}'{nearest(name, known)}")
+    start = file_time(folder)
     outputs = [folder / f"{name}.tex", folder / f"{name}.pdf"]
     for output in outputs:
         output.unlink(missing_ok=True)
@@ -38,6 +39,7 @@ def draw(settings: Settings, script: Path, generated: Path) -> None:
         raise Failure(f"{shown}: gnuplot {'failed' if ran.returncode else 'warned'}", 3)
     if not all(output.exists() and output.stat().st_size for output in outputs):
         raise Failure(f"{shown}: gnuplot drew nothing into {name}.tex and {name}.pdf, which the program set as output", 3)
+    date_back(outputs, start)
 
 
 def with_places(said: str, settings: Settings) -> str:
