@@ -78,6 +78,7 @@ class Check(PaperTest):
         self.paper.replace("compute.py", "    document.flag", "    document.value('left', 5)\n    document.flag")
         self.paper.replace("paper/small.tex", "{big}{small}", r"{big}{\input{sections/small}}")
         self.paper.write("paper/sections/small.tex", r"\val{left}")
+        self.paper.write("paper/other/paper.tex", r"\val{unknown} 1.234")
         self.assertEqual(self.check(), (0, []))
 
     def test_quotations_are_looked_up(self):

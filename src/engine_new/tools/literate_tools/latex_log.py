@@ -78,8 +78,9 @@ def place(settings: Settings, results: dict, error: Error) -> str:
     kind, name = error.file.parent.name, error.file.stem
     if kind == "tables" and name in results["tables"]:
         return f"{results['tables'][name]['place']}: table '{name}': "
-    if error.file.parent.parent.name == "figures" and settings.figures:
-        return f"{settings.shown(settings.figures / name)}.gp: figure '{name}': "
+    for script in settings.scripts:
+        if error.file.parent.parent.name == "figures" and script.stem == name:
+            return f"{settings.shown(script)}: figure '{name}': "
     line = error.file.read_text().splitlines()[error.line - 1]
     key = re.match(r"\\Literate(?:Value|Rounded|Entry)\{([^}]*)\}", line)
     found = key and (results["values"].get(key[1]) or results["claims"].get(key[1]))

@@ -141,7 +141,7 @@ def prepare(settings: Settings) -> bool:
         link.unlink(missing_ok=True)
         link.symlink_to(ENGINE / "literate.sty")
     for drawing in settings.generated.glob("figures/*/*.tex"):  # of a script that is gone
-        if settings.figures and not (settings.figures / f"{drawing.stem}.gp").exists():
+        if drawing.stem not in {script.stem for script in settings.scripts}:
             drawing.unlink()
     had_files = any(settings.latex.iterdir())
     for folder, folders, files in os.walk(settings.document):
