@@ -14,7 +14,8 @@ cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH literate_ENGINE)
 set(literate_ENGINE "${literate_ENGINE}" CACHE INTERNAL "The folder of literate.sty and tools/")
 
 function(literate_add_paper)
-  cmake_policy(SET CMP0116 OLD) # the depfile is right as it is: no second program has to rewrite it
+  # Without CMP0116, of 3.20: the depfile is right as it is, and what CMake would make of it Ninja cannot read in a path with a quote.
+  cmake_policy(VERSION 3.19)
   set(one NAME PROGRAM DOCUMENT MAIN CASE FIGURES FAULTS OUTPUT)
   cmake_parse_arguments(PARSE_ARGV 0 paper "" "${one}" "SCRIPT;SOURCES;DEPENDS")
   if(paper_UNPARSED_ARGUMENTS)
