@@ -34,9 +34,8 @@ Indices indices_of(const ContactMask& in_contact) {
   return contact;
 }
 
-// begin excerpt: matrix-inversion
 // Solves eq. (1a) at each node i in contact, and equilibrium, as one linear system for φ and δ:
-//   Σ_j T_ij φ_j + δ = h_i,  Σ_j w_j φ_j = 2P/(πE*).
+//   Σ_j T_ij φ_j + δ = h_i,  Σ_j φ_j = 2P/(πE*).
 ContactLoads solve_for_contact(const Equations& equations, const Influence& influence,
                                const Indices& contact) {
   const Index n = std::ssize(contact);
@@ -44,7 +43,6 @@ ContactLoads solve_for_contact(const Equations& equations, const Influence& infl
   VectorXd right_side = VectorXd::Constant(n + 1, equations.total);
   for (Index j = 0; j < n; ++j) {
     for (Index i = 0; i < n; ++i) matrix(i, j) = influence(at(contact, i), at(contact, j));
-    matrix(n, j) = equations.weights[at(contact, j)];
     right_side[j] = equations.initial_gap[at(contact, j)];
   }
   matrix(n, n) = 0;
@@ -64,12 +62,6 @@ VectorXd gap_of(const Equations& equations, const Influence& influence, const Co
   }
   return gap;
 }
-// end excerpt: matrix-inversion
-
-// The mean over the nodes in contact, in which a node with a mirror image counts twice.
-double mean_in_contact(const VectorXd& values, const ArrayXd& weight_in_contact) {
-  return (weight_in_contact * values.array()).sum() / weight_in_contact.sum();
-}
 
 double misfit_of(const ContactLoads& loads) {
   return (loads.phi.array() > 0).select(loads.gap.array().abs(), 0).maxCoeff();
@@ -78,7 +70,7 @@ double misfit_of(const ContactLoads& loads) {
 }  // namespace
 
 ContactLoads invert(const Equations& equations, const Influence& influence) {
-  ContactMask in_contact = equations.weights.array() > 0;
+  ContactMask in_contact = ContactMask::Constant(equations.initial_gap.size(), true);
   ContactSearch search;
   ContactLoads loads;
   int solves = 0;
@@ -96,17 +88,17 @@ ContactLoads invert(const Equations& equations, const Influence& influence) {
   return loads;
 }
 
-// begin excerpt: variational
 // Steps along conjugate directions on the nodes that carry; a node that would be in tension is set
 // to zero, one without pressure that penetrates begins to carry, and the load is made P again.
 ContactLoads minimise(const Equations& equations,
                       const std::function<void(const VectorXd& phi, VectorXd& u)>& displace,
                       double tolerance, int max_products) {
-  const auto& [initial_gap, weights, total, smallest_gap] = equations;
+  const auto& [initial_gap, total, smallest_gap] = equations;
   ContactLoads loads;
   VectorXd& phi = loads.phi;
   VectorXd& gap = loads.gap;
-  phi = (weights.array() > 0).select(VectorXd::Constant(weights.size(), total / weights.sum()), 0);
+  const auto n = static_cast<double>(initial_gap.size());
+  phi = VectorXd::Constant(initial_gap.size(), total / n);
   VectorXd direction = VectorXd::Zero(phi.size());
   VectorXd change(phi.size());
   double previous = 1;
@@ -115,8 +107,9 @@ ContactLoads minimise(const Equations& equations,
     // Compute the gap, the gradient of the energy: g = h − δ − Tφ, ⟨g⟩ = 0 where φ > 0
     displace(phi, gap);
     gap += initial_gap;
-    const ArrayXd carrying = (phi.array() > 0).select(weights.array(), 0);
-    loads.approach = mean_in_contact(gap, carrying);
+    const ArrayXd carrying = (phi.array() > 0).cast<double>();  // 1 where φ > 0, else 0
+    const double n_carrying = carrying.sum();
+    loads.approach = (carrying * gap.array()).sum() / n_carrying;
     gap.array() -= loads.approach;
 
     const double misfit = (carrying > 0).select(gap.array().abs(), -gap.array()).maxCoeff();
@@ -132,10 +125,8 @@ ContactLoads minimise(const Equations& equations,
     direction = (carrying > 0).select(gap + factor * direction, 0);  // d = g + β d
     previous = square;
     displace(direction, change);
-    change.array() -= mean_in_contact(change, carrying);  // q = −T d − ⟨−T d⟩
-    const ArrayXd weighted = carrying * direction.array();
-    const double step =
-        weighted.matrix().dot(gap) / weighted.matrix().dot(change);  // α = (d, g) / (d, q)
+    change.array() -= (carrying * change.array()).sum() / n_carrying;  // q = −T d − ⟨−T d⟩
+    const double step = direction.dot(gap) / direction.dot(change);  // α = (d, g) / (d, q)
     phi = (phi - step * direction).cwiseMax(0);                      // φ = max(φ − α d, 0)
 
     // Let nodes that penetrate begin to carry, φ = −α g; the directions then start again
@@ -145,11 +136,10 @@ ContactLoads minimise(const Equations& equations,
       phi[i] = -step * gap[i];
       is_conjugate = false;
     }
-    phi *= total / weights.dot(phi);  // Σ w φ = 2P/(πE*)
+    phi *= total / phi.sum();  // Σ φ = 2P/(πE*)
   }
   throw ContactError(
       fmt::format("the variational method did not reach its minimum in {} products", max_products));
 }
-// end excerpt: variational
 
 }  // namespace contact

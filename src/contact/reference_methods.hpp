@@ -8,11 +8,10 @@
 
 namespace contact {
 
-/// A frictionless contact as equations with coefficients of order one. Element loads φ_j ≥ 0 carry
-/// Σ w_j φ_j = total and leave the gaps g = h − δ − Tφ ≥ 0; at each node one of the two is 0.
+/// A frictionless contact as equations with coefficients of order one. Nodal loads φ_j ≥ 0 carry
+/// Σ φ_j = total and leave the gaps g = h − δ − Tφ ≥ 0; at each node one of the two is 0.
 struct Equations {
   Eigen::VectorXd initial_gap;  ///< h, less than 1e100
-  Eigen::VectorXd weights;      ///< w, 0 at a node without a body
   double total;
   double smallest_gap = 0;  ///< what rounding leaves of a gap in contact
 };
@@ -29,7 +28,7 @@ struct ContactLoads {
 
 /// Matrix inversion: eq. (1a) at the nodes in contact and equilibrium are one linear system; nodes
 /// in tension leave the contact, nodes that penetrate enter it, until neither occurs. It begins
-/// with every node that has a weight in contact. Cost n³ for n nodes.
+/// with every node in contact. Cost n³ for n nodes.
 ///
 /// T(i, j) is −1 times the displacement at node i by the load 1 of element j. Throws ContactError
 /// when the contact does not settle.

@@ -12,7 +12,7 @@ struct Residuals {
   double gap = 0;         ///< greatest |u_z1 + u_z2 + h − δ| in contact, eq. (1a), a length
   double separation = 0;  ///< greatest penetration outside, where eq. (1b) wants none, a length
   double pressure = 0;    ///< the error of the pressure as the method estimates it, a stress
-  double load = 0;        ///< |resultant − P|; 0 if the approach was given
+  double load = 0;        ///< |resultant − P|
 };
 
 /// Those of the gap and the separation, from the pressures and the gaps at the nodes.

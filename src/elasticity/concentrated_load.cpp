@@ -2,7 +2,6 @@
 #include "elasticity/concentrated_load.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "system/require.hpp"
 
@@ -35,17 +34,6 @@ double normal_displacement(const Material& material, const ConcentratedLoad& loa
                            double datum) {
   const double ratio = off_the_force("x", x) / off_the_force("datum", datum);
   return -material.integral_compliance() * load.line_load() * std::log(std::abs(ratio));
-}
-
-Stress stress_under(const ConcentratedLoad& load, double x, double z) {
-  sys::require_finite("x", x);
-  if (!(std::isfinite(z) && z >= 0)) {
-    throw sys::InvalidQuantity("z", z, "a finite depth, 0 or more");
-  }
-  if (z == 0) off_the_force("x", x);
-  const double square = x * x + z * z;
-  const double factor = -2 * load.line_load() / (std::numbers::pi * square * square);
-  return {factor * x * x * z, factor * z * z * z, factor * x * z * z};
 }
 
 }  // namespace elasticity

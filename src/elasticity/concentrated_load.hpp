@@ -3,7 +3,6 @@
 
 #include "elasticity/load.hpp"
 #include "elasticity/material.hpp"
-#include "elasticity/stress.hpp"
 
 namespace elasticity {
 
@@ -31,13 +30,5 @@ double normal_gradient(const Material& material, const ConcentratedLoad& load, d
 /// Throws InvalidQuantity at x = 0 and for a datum of 0, where the displacement is infinite.
 double normal_displacement(const Material& material, const ConcentratedLoad& load, double x,
                            double datum);
-
-/// The stress at (x, z), z ≥ 0 into the body, tension positive (Flamant; Johnson 2.23):
-///
-///   σ_xx = −(2P/π) x²z/r⁴,  σ_zz = −(2P/π) z³/r⁴,  σ_xz = −(2P/π) xz²/r⁴,  r² = x² + z².
-///
-/// Accuracy: a few roundings, relative; fourth powers of lengths must neither overflow nor
-/// underflow. Throws InvalidQuantity for x or z that is not finite, for z < 0 and at the force.
-Stress stress_under(const ConcentratedLoad& load, double x, double z);
 
 }  // namespace elasticity

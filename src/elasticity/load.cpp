@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticity/load.hpp"
 
-#include "numerics/kernel_integrals.hpp"
 #include "system/require.hpp"
 
 namespace elasticity {
@@ -16,14 +15,6 @@ numerics::PiecewiseFunction split_at(const std::vector<double>& breakpoints,
   return numerics::PiecewiseFunction(pieces);
 }
 
-numerics::PiecewiseFunction scaled(const numerics::PiecewiseFunction& function, double factor) {
-  std::vector<numerics::Piece> pieces = function.pieces();
-  for (numerics::Piece& piece : pieces) {
-    piece.value = [factor, value = piece.value](double s) { return factor * value(s); };
-  }
-  return numerics::PiecewiseFunction(pieces);
-}
-
 }  // namespace
 
 Load distributed_load(const std::function<double(double)>& pressure,
@@ -34,19 +25,6 @@ Load distributed_load(const std::function<double(double)>& pressure,
                                "2 or more");
   }
   return {split_at(breakpoints, pressure), split_at(breakpoints, shear), {}};
-}
-
-Load scaled(const Load& load, double factor) {
-  sys::require_finite("factor", factor);
-  Load result{scaled(load.normal, factor), scaled(load.tangential, factor), load.forces};
-  for (LineForce& force : result.forces) force.magnitude *= factor;
-  return result;
-}
-
-double normal_resultant(const Load& load) {
-  double sum = numerics::KernelIntegrals(load.normal).total().value;
-  for (const LineForce& force : load.forces) sum += force.magnitude;
-  return sum;
 }
 
 double tangential_gradient(const Material& material, const Load& load, double x) {

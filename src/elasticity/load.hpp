@@ -35,12 +35,6 @@ Load distributed_load(const std::function<double(double)>& pressure,
                       const std::function<double(double)>& shear,
                       const std::vector<double>& breakpoints);
 
-/// The load with all its tractions and forces multiplied by a finite factor.
-Load scaled(const Load& load, double factor);
-
-/// ∫ p dx and the concentrated forces, force per unit length; exact to 1e-12 of the load's scale.
-double normal_resultant(const Load& load);
-
 /// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) of a half-space's surface under any load without friction:
 /// Johnson (2.25a) with q = 0; at a jump the mean of both sides. Dimensionless; any finite x.
 double tangential_gradient(const Material& material, const Load& load, double x);

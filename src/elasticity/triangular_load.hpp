@@ -39,13 +39,4 @@ double normal_displacement(const Material& material, const TriangularLoad& load,
 /// ∓[(1−2ν)(1+ν)/(2E)] P outside the load on the right and left. A length, positive along x.
 double tangential_displacement(const Material& material, const TriangularLoad& load, double x);
 
-/// The logarithmic potential of a triangle of height 1 on |s| ≤ a, in units of a and ln a:
-///
-///   Φ(x) = ∫₋₁¹ (1−|σ|) ln|ξ−σ| dσ = ½[(ξ+1)² ln|ξ+1| − 2ξ² ln|ξ| + (ξ−1)² ln|ξ−1|] − 3/2,  ξ =
-///   x/a,
-///
-/// Φ(0) = −3/2, Φ → ln|ξ| far away. Any finite x, a > 0 (lengths, not checked); accuracy 1e-15
-/// absolute times max(1, ln|ξ|). At ξ = k it is the influence coefficient T(k) of eq. (3).
-double triangular_potential(double x, double a);
-
 }  // namespace elasticity

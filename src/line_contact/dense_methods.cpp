@@ -7,8 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "contact/limits.hpp"
+#include "contact/reference_methods.hpp"
 #include "line_contact/nested_grids.hpp"
-#include "line_contact/solver.hpp"
 #include "system/require.hpp"
 
 namespace line_contact {
@@ -17,65 +18,65 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-Solution solution_of(const Problem& problem, double line_load, const DenseSystem& system,
-                     contact::ContactLoads loads) {
-  require_free_ends(problem, loads.phi, line_load);
-  const double error = loads.misfit / loads.phi.maxCoeff();
-  return to_solution(
-      problem, line_load,
-      {std::move(loads.phi), std::move(loads.gap), loads.approach + system.least_gap, error,
-       contact::Work{.revisions = loads.solves,
-                     .iterations = loads.products / 2,
-                     .products = loads.products}});
-}
-
-}  // namespace
-
-DenseSystem::DenseSystem(const Problem& problem, double line_load)
-    : is_one_sided(problem.grid.is_one_sided) {
+// T(0), T(1), … T(n−1); the matrix of influence coefficients is T(|i−j|).
+VectorXd influence_of(const Problem& problem) {
   require_valid(problem);
-  sys::require_positive("load", line_load);
-  const Grid& grid = problem.grid;
-  if (grid.n_nodes > max_dense_nodes) {
-    const auto n = static_cast<double>(grid.n_nodes);
+  const Index n = problem.grid.n_nodes;
+  if (n > contact::max_dense_nodes) {
     throw sys::InvalidQuantity(
-        "nodes", n,
-        fmt::format("from {} to {} for a dense method (its matrix would take {:.3g} GB); fft takes "
+        "nodes", static_cast<double>(n),
+        fmt::format("at most {} for a dense method (its matrix would take {:.3g} GB); fft takes "
                     "more",
-                    min_nodes, max_dense_nodes, 8e-9 * n * n));
+                    contact::max_dense_nodes, 8e-9 * static_cast<double>(n * n)));
   }
-  influence = VectorXd::NullaryExpr(is_one_sided ? 2 * grid.n_nodes : grid.n_nodes, [&](Index k) {
+  return VectorXd::NullaryExpr(n, [&](Index k) {
     return influence_coefficient(problem.element, static_cast<double>(k));
   });
-  VectorXd gap = grid.nodes().unaryExpr([&](double x) { return problem.profile.gap(x); });
-  least_gap = gap.minCoeff();
-  gap.array() -= least_gap;
+}
+
+contact::Equations equations_of(const Problem& problem, double line_load,
+                                const VectorXd& influence) {
+  const Grid& grid = problem.grid;
   const double total = total_phi(problem, line_load);
+  VectorXd gap = grid.nodes().unaryExpr([&](double x) { return problem.profile.gap(x); });
+  gap.array() -= gap.minCoeff();
   // The terms of a gap in contact are of the order of Σφ times the greatest T. The gaps far outside
   // may be of any size: they are greater than their rounding.
   constexpr double roundings = 64;
   const double rounding =
       roundings * std::numeric_limits<double>::epsilon() * total * influence.cwiseAbs().maxCoeff();
-  equations = {std::move(gap),
-               VectorXd::NullaryExpr(grid.n_nodes, [&](Index i) { return grid.weight(i); }), total,
-               rounding};
+  return {std::move(gap), total, rounding};
 }
 
+Solution solution_of(const Problem& problem, double line_load, contact::ContactLoads loads) {
+  const double error = loads.misfit / loads.phi.maxCoeff();
+  return to_solution(problem, line_load,
+                     {std::move(loads.phi), std::move(loads.gap), error,
+                      contact::Work{.revisions = loads.solves,
+                                    .iterations = loads.products / 2,
+                                    .products = loads.products}});
+}
+
+}  // namespace
+
 Solution solve_by_matrix_inversion(const Problem& problem, double line_load) {
-  const DenseSystem system(problem, line_load);
-  return solution_of(problem, line_load, system,
-                     contact::invert(system.equations,
-                                     [&](Index i, Index j) { return system.coefficient(i, j); }));
+  const VectorXd influence = influence_of(problem);
+  const contact::Equations equations = equations_of(problem, line_load, influence);
+  return solution_of(problem, line_load, contact::invert(equations, [&](Index i, Index j) {
+                       return influence[std::abs(i - j)];
+                     }));
 }
 
 Solution solve_by_variational_method(const Problem& problem, double line_load) {
-  const DenseSystem system(problem, line_load);
+  const VectorXd influence = influence_of(problem);
+  const contact::Equations equations = equations_of(problem, line_load, influence);
+  const Index n = influence.size();
   const Eigen::MatrixXd compliance = Eigen::MatrixXd::NullaryExpr(
-      system.size(), system.size(), [&](Index i, Index j) { return -system.coefficient(i, j); });
+      n, n, [&](Index i, Index j) { return -influence[std::abs(i - j)]; });
   const auto displace = [&](const VectorXd& phi, VectorXd& u) { u = compliance * phi; };
-  const int max_products = 1000 + static_cast<int>(400 * std::sqrt(system.size()));
-  return solution_of(problem, line_load, system,
-                     contact::minimise(system.equations, displace, 0, max_products));
+  const int max_products = 1000 + static_cast<int>(400 * std::sqrt(n));
+  return solution_of(problem, line_load,
+                     contact::minimise(equations, displace, 0, max_products));
 }
 
 }  // namespace line_contact

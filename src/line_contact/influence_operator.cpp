@@ -83,7 +83,7 @@ void InfluenceOperator::potentials(const VectorXd& phi, VectorXd& result) {
 }
 
 // (Tφ)_{i+1} − (Tφ)_i = Σ_j [T(i+1−j) − T(i−j)] φ_j, with the spectrum of these differences.
-void InfluenceOperator::rises(const VectorXd& phi, VectorXd& result) {
+void InfluenceOperator::differences(const VectorXd& phi, VectorXd& result) {
   load(phi);
   const Spectrum spectrum = fourier_.spectrum();
   for (std::size_t k = 0; k < spectrum.size(); ++k)
@@ -129,21 +129,9 @@ VectorXd convolution(const Fill& fill, const VectorXd& phi, Index first, Index n
 
 }  // namespace
 
-VectorXd rises_over_grid(Element element, const VectorXd& phi, Index first, Index n_nodes) {
+VectorXd differences_over_grid(Element element, const VectorXd& phi, Index first, Index n_nodes) {
   const auto fill = [element](std::span<double> signal) { fill_with_differences(signal, element); };
   return convolution(fill, phi, first, n_nodes - 1);
-}
-
-VectorXd gradients_over_grid(Element element, const VectorXd& phi) {
-  const auto fill = [element](std::span<double> signal) {
-    signal[0] = 0;
-    const std::size_t half = signal.size() / 2;
-    for (std::size_t k = 1; k <= half; ++k) {
-      signal[k] = influence_gradient(element, static_cast<Index>(k));
-      signal[signal.size() - k] = -signal[k];
-    }
-  };
-  return convolution(fill, phi, 0, phi.size());
 }
 
 }  // namespace line_contact

@@ -23,7 +23,7 @@ class InfluenceOperator {
 
   /// Σ_j [T(i+1−j) − T(i−j)] φ_j, i = 0 … n−2: differences of the above, but with the rounding of
   /// the differences, n times less. It is eq. (2) on the grid.
-  void rises(const Eigen::VectorXd& phi, Eigen::VectorXd& result);
+  void differences(const Eigen::VectorXd& phi, Eigen::VectorXd& result);
 
   /// An approximate −T⁻¹: the inverse of the circulant matrix, near |q|/π for the wave number q,
   /// without its mean. Symmetric and positive semi-definite.
@@ -39,12 +39,9 @@ class InfluenceOperator {
   std::vector<std::complex<double>> difference_spectrum_;  // of T(k+1) − T(k), over the size
 };
 
-/// The rises of the potential between all n_nodes nodes of a grid, i = 0 … n_nodes−2, due to values
+/// The differences of the potential between neighbours of all n_nodes nodes of a grid, i = 0 … n_nodes−2, due to values
 /// φ on the nodes from `first` on.
-Eigen::VectorXd rises_over_grid(Element element, const Eigen::VectorXd& phi, Eigen::Index first,
+Eigen::VectorXd differences_over_grid(Element element, const Eigen::VectorXd& phi, Eigen::Index first,
                                 Eigen::Index n_nodes);
-
-/// Σ_j T′(i−j) φ_j at all nodes of a grid with a φ for each.
-Eigen::VectorXd gradients_over_grid(Element element, const Eigen::VectorXd& phi);
 
 }  // namespace line_contact

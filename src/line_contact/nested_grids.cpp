@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/contact_search.hpp"
+#include "contact/limits.hpp"
 #include "line_contact/projected_cg.hpp"
 #include "system/require.hpp"
 
@@ -19,7 +20,14 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-using Level = NestedSolution;
+// One grid of the sequence: its nodal loads and the gap that they leave.
+struct Level {
+  Grid grid;
+  VectorXd phi;
+  VectorXd gap = {};
+  double error = 0;
+  contact::Work work = {};
+};
 
 // The load of a node that is put in contact and carries next to nothing yet.
 constexpr double touching = 1e-300;
@@ -59,12 +67,8 @@ Window window_around(const VectorXd& phi) {
 class LevelSolver {
  public:
   // looks_everywhere: whether eq. (1b) is to hold on all of the grid, or only around the contact.
-  LevelSolver(const Problem& problem, double tolerance, bool looks_everywhere,
-              const ProgressReport& report)
-      : problem_(problem),
-        tolerance_(tolerance),
-        looks_everywhere_(looks_everywhere),
-        report_(report) {}
+  LevelSolver(const Problem& problem, double tolerance, bool looks_everywhere)
+      : problem_(problem), tolerance_(tolerance), looks_everywhere_(looks_everywhere) {}
 
   // Improves level.phi, whose nodes > 0 are the first guess of the contact and whose sum stays.
   void solve(Level& level) const {
@@ -106,7 +110,6 @@ class LevelSolver {
       phi = in_contact.select(phi.cwiseMax(0), 0);
       phi *= total / phi.sum();
       has_room = !(is_cut_left && in_contact[0]) && !(is_cut_right && in_contact[window.n - 1]);
-      if (report_) report_({level.grid.n_nodes, level.work.revisions, pressures.work().iterations});
     }
     stretch = in_contact.select(phi.cwiseMax(touching), 0);
     level.error = pressures.error();
@@ -121,7 +124,7 @@ class LevelSolver {
     const Index n = level.grid.n_nodes;
     const VectorXd rises =
         rises_of(problem_.profile, level.grid, 0, n) -
-        rises_over_grid(problem_.element, level.phi.segment(window.first, window.n), window.first,
+        differences_over_grid(problem_.element, level.phi.segment(window.first, window.n), window.first,
                         n);
     ++level.work.products;
     Index start = 0;
@@ -145,7 +148,6 @@ class LevelSolver {
   const Problem& problem_;
   double tolerance_;
   bool looks_everywhere_;
-  const ProgressReport& report_;
 };
 
 // Divides the domain into half as many elements again and again; the coarsest grid comes first.
@@ -154,7 +156,7 @@ std::vector<Grid> nested_grids(const Grid& finest) {
   while (grids.back().n_nodes > most_nodes_of_coarsest) {
     Grid coarser = grids.back();
     coarser.n_nodes = (coarser.n_nodes + 1) / 2;
-    coarser.spacing = (finest.end() - finest.begin()) / static_cast<double>(coarser.n_nodes);
+    coarser.spacing = finest.width() / static_cast<double>(coarser.n_nodes);
     grids.push_back(coarser);
   }
   std::reverse(grids.begin(), grids.end());
@@ -164,41 +166,30 @@ std::vector<Grid> nested_grids(const Grid& finest) {
 }  // namespace
 
 double total_phi(const Problem& problem, double line_load) {
-  const double total = 2 * line_load / (std::numbers::pi * problem.contact_modulus);
-  if (!(total < largest_length)) {
+  const double total =
+      2 * sys::require_positive("load", line_load) / (std::numbers::pi * problem.contact_modulus);
+  if (!(total < contact::largest_length)) {
     throw sys::InvalidQuantity("load", line_load, "less: its square must be a double");
   }
   return total;
 }
 
-NestedSolution solve_on_nested_grids(const Problem& problem, double line_load, double tolerance,
-                                     const ProgressReport& report) {
+NodalLoads solve_on_nested_grids(const Problem& problem, double line_load, double tolerance) {
   const double total = total_phi(problem, line_load);
-  Level level{};
+  Level level{problem.grid, {}};
   for (const Grid& grid : nested_grids(problem.grid)) {
-    VectorXd phi = level.phi.size() == 0 ? VectorXd::Ones(grid.n_nodes)
+    VectorXd phi = level.phi.size() == 0 ? VectorXd::Zero(grid.n_nodes)
                                          : prolongate(level.grid, level.phi, grid);
+    // A contact of a node or two may fall between the nodes of the next grid
+    if (!(phi.sum() > 0)) phi.setOnes();
     phi *= total / phi.sum();
-    level = {grid, std::move(phi), {}, 0, {}};
+    level = {grid, std::move(phi)};
     constexpr double enough_to_start_from = 1e-6;  // less than interpolation spoils
     const bool is_finest = grid.n_nodes == problem.grid.n_nodes;
     const double wanted = is_finest ? tolerance : std::max(tolerance, enough_to_start_from);
-    LevelSolver(problem, wanted, is_finest, report).solve(level);
+    LevelSolver(problem, wanted, is_finest).solve(level);
   }
-  return level;
-}
-
-ElementLoads element_loads(const Problem& problem, NestedSolution nested) {
-  Index i = 0;
-  nested.phi.maxCoeff(&i);
-  double sum = 0;
-  for (Index j = 0; j < nested.phi.size(); ++j) {
-    if (nested.phi[j] == 0) continue;
-    sum += influence_coefficient(problem.element, static_cast<double>(i - j)) * nested.phi[j];
-  }
-  const double approach =
-      problem.profile.gap(nested.grid.x(i)) - sum - nested.gap[i];  // h − Tφ − g
-  return {std::move(nested.phi), std::move(nested.gap), approach, nested.error, nested.work};
+  return {std::move(level.phi), std::move(level.gap), level.error, level.work};
 }
 
 }  // namespace line_contact

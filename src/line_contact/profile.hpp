@@ -20,26 +20,12 @@ class Profile {
   /// grid the subtraction of two gaps would leave few digits.
   double rise(double from, double to) const { return rise_(from, to); }
 
-  /// Whether h(−x) = h(x).
-  bool is_symmetric() const { return is_symmetric_; }
-
   /// Where the profile is given: (begin, end), infinite for a formula.
   double begin() const { return begin_; }
   double end() const { return end_; }
 
   /// h = κx²/2: two cylinders, κ = 1/R₁ + 1/R₂ > 0 (Johnson 4.19).
   static Profile parabola(double relative_curvature);
-
-  /// h = |x| tan α: a wedge whose faces rise by `slope` = tan α > 0.
-  static Profile wedge(double slope);
-
-  /// h = κ(|x| − b)²/2 for |x| > b, else 0: a flat punch of half-width b ≥ 0, its edges rounded to
-  /// the curvature κ > 0.
-  static Profile rounded_punch(double flat_half_width, double edge_curvature);
-
-  /// h = A x^{2n}: A > 0 in length^{1−2n}, n from 1 to max_power.
-  static Profile power_law(double coefficient, int n);
-  static constexpr int max_power = 20;
 
   /// A measured profile: h at rising x, at least four points, joined by Steffen's monotone cubics
   /// (once differentiable, no overshoot; GSL). Not defined beyond the points.
@@ -52,7 +38,6 @@ class Profile {
 
   Gap gap_;
   Rise rise_;
-  bool is_symmetric_ = true;
   double begin_ = -std::numeric_limits<double>::infinity();
   double end_ = std::numeric_limits<double>::infinity();
 };

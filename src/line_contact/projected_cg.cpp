@@ -26,7 +26,7 @@ ProjectedCg::ProjectedCg(InfluenceOperator& influence, const VectorXd& rises)
 
 // Adds the gap g = h − δ − Tφ up from its differences; δ makes its mean in contact zero.
 void ProjectedCg::update_gap(const VectorXd& phi) {
-  influence_.rises(phi, product_);  // (Tφ)_{i+1} − (Tφ)_i
+  influence_.differences(phi, product_);  // (Tφ)_{i+1} − (Tφ)_i
   ++work_.products;
   Index start = 0;
   phi.maxCoeff(&start);

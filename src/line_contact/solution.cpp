@@ -8,6 +8,10 @@
 #include <numbers>
 #include <utility>
 
+#include "elasticity/concentrated_load.hpp"
+#include "elasticity/load_shapes.hpp"
+#include "elasticity/stress_beneath.hpp"
+#include "elasticity/triangular_load.hpp"
 #include "system/require.hpp"
 
 namespace line_contact {
@@ -35,39 +39,67 @@ double overhang(double last, double last_but_one, double spacing) {
   return fall > 0 ? spacing * std::min(1.0, last * last / fall) : spacing / 2;
 }
 
+// Returns the slope of both bodies together at the distance x from an element of pressure p.
+double slope_of(const elasticity::Material& both, Element element, double p, double c, double x) {
+  switch (element) {
+    case Element::triangular:
+      return elasticity::normal_gradient(both, elasticity::TriangularLoad(p, c), x);
+    case Element::uniform:
+      return elasticity::normal_gradient(both, elasticity::UniformLoad(p, c / 2), x);
+    case Element::point:
+      break;
+  }
+  return elasticity::normal_gradient(both, elasticity::ConcentratedLoad(c * p), x);
+}
+
+// p = φ πE*/(2c)
+double pressure_per_phi(const Problem& problem) {
+  return std::numbers::pi * problem.contact_modulus / (2 * problem.grid.spacing);
+}
+
+void require_free_ends(const Solution& solution) {
+  const Grid& grid = solution.grid;
+  const bool at_begin = solution.pressure[0] > 0;
+  if (!at_begin && !(solution.pressure[grid.n_nodes - 1] > 0)) return;
+  const Profile& profile = solution.profile;
+  const std::string limit =
+      std::isfinite(profile.begin())
+          ? fmt::format(", and the profile is given from {:.6g} to {:.6g}", profile.begin(),
+                        profile.end())
+          : "";
+  throw sys::InvalidQuantity("domain", grid.width(),
+                             fmt::format("wider: the contact reaches its end at x = {:.6g}{}",
+                                         at_begin ? grid.begin() : grid.end(), limit));
+}
+
 }  // namespace
 
-double Solution::line_load() const {
-  double sum = 0;
-  for (Index i = 0; i < grid.n_nodes; ++i) sum += grid.weight(i) * pressure[i];
-  return grid.spacing * sum;
+contact::Resolution Solution::resolution() const {
+  const Index n = n_in_contact();
+  return {n, static_cast<double>(n), grid.n_nodes, grid.width()};
 }
 
 double Solution::half_width() const {
-  // The moment is taken in units of the peak and of the spacing, because under very small loads it
-  // would underflow.
+  // The moments are taken in units of the peak and of the spacing, because under very small loads
+  // they would underflow.
   const double peak = peak_pressure();
   double load = 0;
   double moment = 0;
   double second_moment = 0;
   for (Index i = 0; i < grid.n_nodes; ++i) {
-    const double p = grid.weight(i) * pressure[i] / peak;
+    const double p = pressure[i] / peak;
     const double x = (grid.x(i) - grid.centre) / grid.spacing;
     load += p;
-    if (!grid.is_one_sided) moment += p * x;
+    moment += p * x;
     second_moment += p * x * x;
   }
   const double mean = moment / load;
-  const double own = own_second_moment(element);
-  return 2 * grid.spacing * std::sqrt(second_moment / load - mean * mean + own);
+  return 2 * grid.spacing *
+         std::sqrt(second_moment / load - mean * mean + own_second_moment(element));
 }
 
 double Solution::half_width_by_count() const {
-  double count = 0;
-  for (Index i = 0; i < grid.n_nodes; ++i) {
-    if (pressure[i] > 0) count += grid.weight(i);
-  }
-  return count * grid.spacing / 2;
+  return static_cast<double>(n_in_contact()) * grid.spacing / 2;
 }
 
 std::vector<Region> regions_in_contact(const Grid& grid, const Eigen::VectorXd& pressure) {
@@ -77,49 +109,67 @@ std::vector<Region> regions_in_contact(const Grid& grid, const Eigen::VectorXd& 
     if (!(at(i) > 0)) continue;
     Index j = i;
     double load = 0;
-    for (; at(j) > 0; ++j) load += grid.weight(j) * grid.spacing * at(j);
-    const double begin = grid.x(i) - overhang(at(i), at(i + 1), grid.spacing);
-    const double end = grid.x(j - 1) + overhang(at(j - 1), at(j - 2), grid.spacing);
-    const bool is_mirrored = grid.is_one_sided && i == 0;
-    regions.push_back({is_mirrored ? -end : begin, end, load, j - i});
+    for (; at(j) > 0; ++j) load += grid.spacing * at(j);
+    regions.push_back({grid.x(i) - overhang(at(i), at(i + 1), grid.spacing),
+                       grid.x(j - 1) + overhang(at(j - 1), at(j - 2), grid.spacing), load, j - i});
     i = j;
   }
   return regions;
 }
 
+// δ = h − g − (Tφ)_i + Σ_j T((datum − x_j)/c) φ_j at the node i that carries most.
 double Solution::approach(double datum) const {
   const std::vector<Region> in_contact = regions();
-  const double begin = in_contact.empty() ? 0 : in_contact.front().begin;
-  const double end = in_contact.empty() ? 0 : in_contact.back().end;
-  const double left = grid.is_one_sided ? -end : begin;
-  if (!(std::isfinite(datum) && (datum < left || datum > end))) {
+  const double begin = in_contact.empty() ? grid.centre : in_contact.front().begin;
+  const double end = in_contact.empty() ? grid.centre : in_contact.back().end;
+  if (!(std::isfinite(datum) && (datum < begin || datum > end))) {
     throw sys::InvalidQuantity(
-        "datum", datum, fmt::format("outside the contact, from {:.6g} to {:.6g}", left, end));
+        "datum", datum, fmt::format("outside the contact, from {:.6g} to {:.6g}", begin, end));
   }
-  const auto potential = [&](double x) {
-    return influence_coefficient(element, (datum - x) / grid.spacing);
-  };
+  Index i = 0;
+  pressure.maxCoeff(&i);
   double sum = 0;
   for (Index j = 0; j < grid.n_nodes; ++j) {
     if (pressure[j] == 0) continue;
-    const double x = grid.x(j);
-    const double both = grid.weight(j) == 2 ? potential(x) + potential(-x) : potential(x);
-    sum += both * pressure[j];
+    sum += pressure[j] * (influence_coefficient(element, (datum - grid.x(j)) / grid.spacing) -
+                          influence_coefficient(element, static_cast<double>(i - j)));
   }
-  return approach_at_spacing + sum / pressure_per_phi;
+  return profile.gap(grid.x(i)) - gap[i] + sum / pressure_per_phi(*this);
 }
 
-Solution to_solution(const Problem& problem, double line_load, ElementLoads loads) {
-  const double pressure_per_phi =
-      std::numbers::pi * problem.contact_modulus / (2 * problem.grid.spacing);
-  Solution solution{.grid = problem.grid,
-                    .element = problem.element,
-                    .pressure = pressure_per_phi * loads.phi,
-                    .gap = std::move(loads.gap),
-                    .pressure_per_phi = pressure_per_phi,
-                    .approach_at_spacing = loads.approach_at_spacing,
-                    .work = loads.work,
-                    .residuals = {}};
+double surface_slope(const Solution& solution, double x) {
+  // With ν = 0 and E* in the place of E the factor 2(1−ν²)/(πE) is the sum of both bodies'.
+  const elasticity::Material both(solution.contact_modulus, 0);
+  const Grid& grid = solution.grid;
+  double slope = 0;
+  for (Index j = 0; j < grid.n_nodes; ++j) {
+    const double p = solution.pressure[j];
+    if (p != 0) slope += slope_of(both, solution.element, p, grid.spacing, x - grid.x(j));
+  }
+  return slope;
+}
+
+elasticity::Stress stress_beneath(const Solution& solution, double x, double z) {
+  if (solution.element != Element::triangular) {
+    throw sys::InvalidQuantity("width of the elements", solution.grid.spacing,
+                               "that of triangular elements: beneath others stress jumps");
+  }
+  // From the free node before the contact to the one behind it
+  const Eigen::VectorXd& p = solution.pressure;
+  Index first = 0;
+  Index last = p.size() - 1;
+  while (first + 2 < p.size() && !(p[first + 1] > 0)) ++first;
+  while (last > first + 1 && !(p[last - 1] > 0)) --last;
+  const auto n = static_cast<std::size_t>(last - first + 1);
+  const Eigen::VectorXd nodes = solution.grid.nodes();
+  return elasticity::stress_beneath({nodes.data() + first, n}, {p.data() + first, n}, x, z);
+}
+
+Solution to_solution(const Problem& problem, double line_load, NodalLoads loads) {
+  Solution solution{{problem}, pressure_per_phi(problem) * loads.phi, std::move(loads.gap),
+                    loads.work, {}};
+  require_free_ends(solution);
+  contact::require_resolved(solution.resolution());
   solution.residuals = contact::residuals_of_gaps(solution.pressure, solution.gap);
   solution.residuals.pressure = loads.error * solution.peak_pressure();
   solution.residuals.load = std::abs(solution.line_load() - line_load);

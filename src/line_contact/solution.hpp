@@ -4,7 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "contact/limits.hpp"
 #include "contact/solution.hpp"
+#include "elasticity/stress.hpp"
 #include "line_contact/problem.hpp"
 
 namespace line_contact {
@@ -17,25 +19,23 @@ struct Region {
   Eigen::Index n_nodes;
 };
 
-/// The separate stretches in contact, from left to right; of a one-sided grid those at x ≥ 0, the
-/// first with its mirror image if it begins at x = 0.
+/// The separate stretches in contact, from left to right.
 std::vector<Region> regions_in_contact(const Grid& grid, const Eigen::VectorXd& pressure);
 
-/// Pressures at the nodes of a grid, and what follows from them.
-struct Solution {
-  Grid grid;
-  Element element;
+/// A problem with the pressures at its nodes, and what follows from them.
+struct Solution : Problem {
   Eigen::VectorXd pressure;  ///< p at the nodes, stress; 0 outside contact
   Eigen::VectorXd gap;       ///< u_z1 + u_z2 + h − δ at the nodes, length
-  double pressure_per_phi;  ///< πE*/(2c): p = φ πE*/(2c) with φ, the load of an element, a length
-  double approach_at_spacing;  ///< δ when lengths in the logarithm of T are taken in units of c
-  contact::Work work;
-  contact::Residuals residuals;
+  contact::Work work = {};
+  contact::Residuals residuals = {};
 
   Eigen::Index n_in_contact() const { return (pressure.array() > 0).count(); }
 
-  /// The resultant c Σ w p, force per unit length.
-  double line_load() const;
+  /// How the contact lies on the grid, for contact::resolution_warning().
+  contact::Resolution resolution() const;
+
+  /// The resultant c Σ p, force per unit length.
+  double line_load() const { return grid.spacing * pressure.sum(); }
 
   /// The greatest of the nodal pressures.
   double peak_pressure() const { return pressure.maxCoeff(); }
@@ -45,7 +45,7 @@ struct Solution {
   /// count of nodes in contact it does not jump by c.
   double half_width() const;
 
-  /// Half the number of nodes in contact (mirror images counted), times c: good to c.
+  /// Half the number of nodes in contact, times c: good to c.
   double half_width_by_count() const;
 
   std::vector<Region> regions() const { return regions_in_contact(grid, pressure); }
@@ -56,16 +56,30 @@ struct Solution {
   double approach(double datum) const;
 };
 
-/// What a method finds: element loads φ = 2c p/(πE*) and gaps at the nodes, lengths.
-struct ElementLoads {
+/// ∂(u_z1 + u_z2)/∂x at any x, a slope: the sum of the closed forms of the solution's elements,
+/// eq. (2) for each.
+///
+/// Accuracy: rounding, a few ε times the sum of the magnitudes. Throws InvalidQuantity where an
+/// element's own slope is infinite: at the nodes of forces, and midway between them for uniform
+/// elements.
+double surface_slope(const Solution& solution, double x);
+
+/// The stress at (x, z) beneath a solution of triangles, in either body: its pressure is linear
+/// between nodes (elasticity::stress_beneath). Throws InvalidQuantity for other elements, whose
+/// stresses jump at the surface.
+elasticity::Stress stress_beneath(const Solution& solution, double x, double z);
+
+/// What a method finds: nodal loads φ = 2c p/(πE*) and gaps at the nodes, lengths.
+struct NodalLoads {
   Eigen::VectorXd phi;
   Eigen::VectorXd gap;
-  double approach_at_spacing;
   double error;  ///< of φ, relative to the greatest
   contact::Work work;
 };
 
-/// The same as pressures, with the residuals under the load P.
-Solution to_solution(const Problem& problem, double line_load, ElementLoads loads);
+/// The same as pressures, with the residuals under the load P. Throws InvalidQuantity for a contact
+/// that reaches an end of the grid, which then hides part of it, or that is not resolved
+/// (contact::require_resolved).
+Solution to_solution(const Problem& problem, double line_load, NodalLoads loads);
 
 }  // namespace line_contact

@@ -6,80 +6,113 @@
 
 namespace numerics {
 
-// Bounds without changing how the processor rounds. The error of a rounded sum or product is a
-// double itself: Knuth's TwoSum gives that of a sum, a fused multiply-add that of a product (Muller
-// et al., Handbook of Floating-Point Arithmetic, 2nd ed., 4.3 and 4.4). So a bound goes up by one
-// place where it was rounded down, and only there.
-namespace rounding {
-
-/// a + b − sum, exactly, for the rounded sum.
-inline double error_of_sum(double a, double b, double sum) {
-  const double from_b = sum - a;
-  return (a - (sum - from_b)) + (b - from_b);
-}
-
-/// Products below it may have errors that are too small to be a double.
-inline constexpr double least_product =
-    std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
-
-/// a·b − product for the rounded product; of products below the least, what is surely more.
-inline double error_of_product(double a, double b, double product) {
-  if (a == 0 || b == 0) return 0;
-  if (std::abs(product) < least_product) return std::numeric_limits<double>::min();
-  return std::fma(a, b, -product);
-}
-
-inline double next_up(double x) {
-  return std::nextafter(x, std::numeric_limits<double>::infinity());
-}
-
-/// a + b, no less than it is.
-inline double add_up(double a, double b) {
-  const double sum = a + b;
-  return error_of_sum(a, b, sum) > 0 ? next_up(sum) : sum;
-}
-
-/// a·b, no less than it is.
-inline double multiply_up(double a, double b) {
-  const double product = a * b;
-  return error_of_product(a, b, product) > 0 ? next_up(product) : product;
-}
-
-}  // namespace rounding
-
 /// A computed number and a bound on how wrong it may be.
 ///
 /// `value` and `abs_error` share one unit; the true number is meant to lie in
-/// [value − abs_error, value + abs_error], `abs_error` ≥ 0. Sums and multiples carry the error by
-/// the triangle inequality, so the bound stays one when the parts are not independent; the rounding
-/// of the value is part of it, and what is exact stays exact. Products, quotients and functions are
-/// in numerics/estimate_algebra.hpp.
+/// [value − abs_error, value + abs_error], `abs_error` ≥ 0. Every operation carries the errors of its
+/// operands, taken to be independent of one another, and adds a rounding of its own, ε|value| with
+/// ε = 2⁻⁵²: x − x has twice the error of x. A plain number has no error. Where an operation has no
+/// bound, as a quotient whose divisor may be zero, the bound is infinite.
+///
+/// No operation relies on the order in which the compiler computes, so that bounds stay bounds where
+/// it is allowed to change it (-ffast-math).
 struct Estimate {
   double value = 0;
   double abs_error = 0;
 
-  Estimate& operator+=(Estimate other) {
-    const double sum = value + other.value;
-    const double rounded = std::abs(rounding::error_of_sum(value, other.value, sum));
-    abs_error = rounding::add_up(rounding::add_up(abs_error, other.abs_error), rounded);
-    value = sum;
-    return *this;
-  }
+  Estimate& operator+=(Estimate other);
 };
 
-inline Estimate operator+(Estimate a, Estimate b) {
-  return a += b;
+namespace rounding {
+
+/// A value that was rounded once, with the error that comes from its operands and was rounded too.
+inline Estimate rounded(double value, double error) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return {value, (1 + 8 * epsilon) * error + epsilon * std::abs(value)};
 }
+
+}  // namespace rounding
+
 inline Estimate operator-(Estimate a) {
   return {-a.value, a.abs_error};
 }
-inline Estimate operator-(Estimate a, Estimate b) {
-  return a += -b;
+inline Estimate operator+(Estimate a, Estimate b) {
+  return rounding::rounded(a.value + b.value, a.abs_error + b.abs_error);
 }
-inline Estimate operator*(double factor, Estimate e) {
-  const double product = factor * e.value;
-  const double rounded = std::abs(rounding::error_of_product(factor, e.value, product));
-  return {product, rounding::add_up(rounding::multiply_up(std::abs(factor), e.abs_error), rounded)};
+inline Estimate operator-(Estimate a, Estimate b) {
+  return a + -b;
+}
+// (a + α)(b + β) − ab = aβ + bα + αβ
+inline Estimate operator*(Estimate a, Estimate b) {
+  return rounding::rounded(a.value * b.value, std::abs(a.value) * b.abs_error +
+                                                  std::abs(b.value) * a.abs_error +
+                                                  a.abs_error * b.abs_error);
+}
+// (a + α)/(b + β) − a/b = (α − (a/b) β)/(b + β)
+inline Estimate operator/(Estimate a, Estimate b) {
+  const double least = std::abs(b.value) - b.abs_error;
+  const double quotient = a.value / b.value;
+  if (!(least > 0)) return {quotient, std::numeric_limits<double>::infinity()};
+  return rounding::rounded(quotient, (a.abs_error + std::abs(quotient) * b.abs_error) / least);
+}
+
+inline Estimate& Estimate::operator+=(Estimate other) {
+  return *this = *this + other;
+}
+
+inline Estimate operator+(Estimate a, double b) {
+  return a + Estimate{b};
+}
+inline Estimate operator+(double a, Estimate b) {
+  return Estimate{a} + b;
+}
+inline Estimate operator-(Estimate a, double b) {
+  return a - Estimate{b};
+}
+inline Estimate operator-(double a, Estimate b) {
+  return Estimate{a} - b;
+}
+inline Estimate operator*(Estimate a, double b) {
+  return a * Estimate{b};
+}
+inline Estimate operator*(double a, Estimate b) {
+  return Estimate{a} * b;
+}
+inline Estimate operator/(Estimate a, double b) {
+  return a / Estimate{b};
+}
+inline Estimate operator/(double a, Estimate b) {
+  return Estimate{a} / b;
+}
+
+/// |a|, as wrong as a.
+inline Estimate abs(Estimate a) {
+  return {std::abs(a.value), a.abs_error};
+}
+
+/// The greater of two, as wrong as the worse known of them.
+inline Estimate max(Estimate a, Estimate b) {
+  return {a.value < b.value ? b.value : a.value,
+          a.abs_error < b.abs_error ? b.abs_error : a.abs_error};
+}
+
+/// √a. |√(a + α) − √a| = |α|/(√(a + α) + √a) is at most |α|/√a, and at most √|α|.
+inline Estimate sqrt(Estimate a) {
+  const double root = std::sqrt(a.value);
+  const double least = std::sqrt(a.abs_error);
+  return rounding::rounded(root, least < root ? a.abs_error / root : least);
+}
+
+/// The natural logarithm; its bound is infinite where a may be 0.
+inline Estimate log(Estimate a) {
+  const double relative = a.abs_error / a.value;
+  if (!(relative < 1)) return {std::log(a.value), std::numeric_limits<double>::infinity()};
+  return rounding::rounded(std::log(a.value), -std::log1p(-relative));
+}
+
+inline Estimate exp(Estimate a) {
+  const double power = std::exp(a.value);
+  return rounding::rounded(power, power * std::expm1(a.abs_error));
 }
 
 }  // namespace numerics

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "system/require.hpp"
 
@@ -67,11 +66,10 @@ double relative_position(const Piece& piece, double x) {
 
 }  // namespace
 
-KernelIntegrals::KernelIntegrals(PiecewiseFunction density, double rel_tolerance)
-    : density_(std::move(density)),
+KernelIntegrals::KernelIntegrals(const PiecewiseFunction& density, double rel_tolerance)
+    : density_(resolved(density)),
       rel_tolerance_(sys::require_positive("rel_tolerance", rel_tolerance)) {}
 
-// begin excerpt: cauchy-integral
 Estimate KernelIntegrals::cauchy(double x) const {
   sys::require_finite("x", x);
   Estimate sum;
@@ -92,7 +90,6 @@ Estimate KernelIntegrals::cauchy(double x) const {
   }
   return sum + logarithms.sum();
 }
-// end excerpt: cauchy-integral
 
 Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest_value,
                                               double x) const {
@@ -135,7 +132,6 @@ Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest
   return at_begin ? -magnitude : magnitude;
 }
 
-// begin excerpt: logarithmic-integral
 Estimate KernelIntegrals::logarithmic(double x, double length) const {
   sys::require_finite("x", x);
   sys::require_positive("length", length);
@@ -185,7 +181,6 @@ Estimate KernelIntegrals::logarithmic_from(const Panel& panel, double x, double 
       std::abs(rest.value) + std::abs(nearest) * (std::abs(far) + std::abs(near));
   return with_rounding({rest.value + nearest * (far - near), rest.abs_error}, magnitude);
 }
-// end excerpt: logarithmic-integral
 
 Estimate KernelIntegrals::integral_below(double x) const {
   Estimate sum;

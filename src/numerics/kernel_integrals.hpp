@@ -17,8 +17,9 @@ namespace numerics {
 /// exact. Throws QuadratureError where a quadrature fails. Not for use by two threads at once.
 class KernelIntegrals {
  public:
-  explicit KernelIntegrals(PiecewiseFunction density, double rel_tolerance = 1e-12);
+  explicit KernelIntegrals(const PiecewiseFunction& density, double rel_tolerance = 1e-12);
 
+  /// p, cut into pieces that the quadratures resolve (numerics::resolved).
   const PiecewiseFunction& density() const { return density_; }
 
   /// PV∫ p(s)/(x − s) ds, a Cauchy principal value where x lies under p.

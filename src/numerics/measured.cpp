@@ -201,32 +201,9 @@ Measured log(const Measured& a) {
   return Propagation::of(a, log(a.bounded()), 1 / a.value(), 1 / a.value() / a.value());
 }
 
-Measured pow(const Measured& a, double p) {
-  const bool is_whole = p > 0 && std::floor(p) == p;
-  if (!is_whole) require_away_from_zero("base of a power", a, a.value());
-  const double curvature = p == 1 ? 0 : p * (p - 1) * std::pow(a.value(), p - 2);
-  return Propagation::of(a, pow(a.bounded(), p), p * std::pow(a.value(), p - 1), curvature);
-}
-
 Measured exp(const Measured& a) {
   const Estimate power = exp(a.bounded());
   return Propagation::of(a, power, power.value, power.value);
-}
-
-Measured sin(const Measured& a) {
-  const Estimate sine = sin(a.bounded());
-  return Propagation::of(a, sine, std::cos(a.value()), sine.value);
-}
-
-Measured cos(const Measured& a) {
-  const Estimate cosine = cos(a.bounded());
-  return Propagation::of(a, cosine, -std::sin(a.value()), cosine.value);
-}
-
-// With s = 1/(1 + a²): (atan a)′ = s and (atan a)″ = −2as²
-Measured atan(const Measured& a) {
-  const double slope = 1 / (1 + a.value() * a.value());
-  return Propagation::of(a, atan(a.bounded()), slope, 2 * a.value() * slope * slope);
 }
 
 }  // namespace numerics

@@ -85,17 +85,10 @@ Measured operator*(const Measured& a, const Measured& b);
 Measured operator/(const Measured& a, const Measured& b);
 
 /// Throws InvalidQuantity where a is not above zero by more than its bound and its standard
-/// uncertainty, as log does, and pow unless p is a whole number above zero.
+/// uncertainty, as log does.
 Measured sqrt(const Measured& a);
 Measured log(const Measured& a);
-Measured pow(const Measured& a, double p);
 
 Measured exp(const Measured& a);
-
-/// Of an angle in radians, as `cos`.
-Measured sin(const Measured& a);
-Measured cos(const Measured& a);
-
-Measured atan(const Measured& a);
 
 }  // namespace numerics

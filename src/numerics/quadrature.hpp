@@ -7,9 +7,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <string_view>
-#include <type_traits>
 
 #include "numerics/estimate.hpp"
 #include "system/error.hpp"
@@ -37,8 +35,9 @@ enum class GaussKronrod : int { points_15 = GSL_INTEG_GAUSS15, points_31 = GSL_I
 /// Each rule takes an integrand double(double), finite limits a < b and the absolute error asked
 /// for, and returns the integral with QUADPACK's error estimate; the estimate does not include the
 /// rounding of the sum, which the caller, who knows the magnitudes, adds. A result that is not
-/// finite or has not converged throws QuadratureError. GSL's own error handler, which aborts, is
-/// switched off. Not for use by two threads at once: give each its own object.
+/// finite, or whose estimate is a thousand times what was asked for, throws QuadratureError; what
+/// the integrand throws comes out. GSL's own error handler, which aborts, is switched off. Not for
+/// use by two threads at once: give each its own object.
 class Quadrature {
  public:
   explicit Quadrature(std::size_t max_intervals = 1000);
@@ -48,30 +47,31 @@ class Quadrature {
   /// (QAGS).
   template <class F>
   Estimate smooth(F&& f, double a, double b, double abs_tolerance, IntegralName name) {
-    Integrand<std::remove_reference_t<F>> integrand(f);
-    return checked(run_smooth(&integrand.gsl, a, b, abs_tolerance), integrand.exception, a, b,
-                   name);
+    return integrate(Rule::smooth, f, {a, b, abs_tolerance, 0}, name);
   }
 
   /// ∫ₐᵇ f(s) ds by bisection with a Gauss–Kronrod rule (QAG).
   template <class F>
   Estimate adaptive(F&& f, double a, double b, double abs_tolerance, IntegralName name,
                     GaussKronrod rule = GaussKronrod::points_31) {
-    Integrand<std::remove_reference_t<F>> integrand(f);
-    return checked(run_adaptive(&integrand.gsl, a, b, abs_tolerance, rule), integrand.exception, a,
-                   b, name);
+    return integrate(Rule::adaptive, f, {a, b, abs_tolerance, static_cast<double>(rule)}, name);
   }
 
   /// The Cauchy principal value PV∫ₐᵇ f(s)/(s − pole) ds (QAWC), pole ≠ a, b.
   template <class F>
   Estimate principal_value(F&& f, double a, double b, double pole, double abs_tolerance,
                            IntegralName name) {
-    Integrand<std::remove_reference_t<F>> integrand(f);
-    return checked(run_principal_value(&integrand.gsl, a, b, pole, abs_tolerance),
-                   integrand.exception, a, b, name);
+    return integrate(Rule::principal_value, f, {a, b, abs_tolerance, pole}, name);
   }
 
  private:
+  enum class Rule { smooth, adaptive, principal_value };
+
+  struct Interval {
+    double a, b, abs_tolerance;
+    double parameter;  // the Gauss–Kronrod rule or the pole
+  };
+
   // An integrand as GSL calls it. What it throws must not unwind through C: it is kept, the
   // integral becomes NaN, and the exception goes on when GSL has returned.
   template <class F>
@@ -91,17 +91,18 @@ class Quadrature {
     std::exception_ptr exception;
   };
 
-  struct Outcome {
-    int status;
-    Estimate result;
-  };
-  Outcome run_smooth(gsl_function* f, double a, double b, double abs_tolerance);
-  Outcome run_adaptive(gsl_function* f, double a, double b, double abs_tolerance,
-                       GaussKronrod rule);
-  Outcome run_principal_value(gsl_function* f, double a, double b, double pole,
-                              double abs_tolerance);
-  static Estimate checked(const Outcome& outcome, const std::exception_ptr& exception, double a,
-                          double b, IntegralName name);
+  template <class F>
+  Estimate integrate(Rule rule, F& f, const Interval& interval, IntegralName name) {
+    Integrand<F> integrand(f);
+    try {
+      return run(rule, &integrand.gsl, interval, name);
+    } catch (const QuadratureError&) {
+      if (integrand.exception) std::rethrow_exception(integrand.exception);
+      throw;
+    }
+  }
+
+  Estimate run(Rule rule, gsl_function* f, const Interval& interval, IntegralName name);
 
   struct FreeWorkspace {
     void operator()(gsl_integration_workspace* w) const { gsl_integration_workspace_free(w); }

@@ -2,50 +2,83 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "paper/bounds.hpp"
 #include "paper/paper.hpp"
 #include "paper/spheres.hpp"
-#include "point_contact/study/two_spheres.hpp"
+#include "point_contact/solver/methods.hpp"
 
 namespace paper {
 namespace {
 
 using Eigen::Index;
-using point_contact::TwoSpheres;
 using point_contact::Vector2;
 
-using PointElement = point_contact::Element;
-using PointSolution = point_contact::Solution;
-using SphereHertz = point_contact::Hertz;
+constexpr Index n_nodes = 96;  // along each side of the square
 
 double least_radius(const ContactCase& c) {
   return 1 / std::max(std::abs(c.body1.radius.curvature()), std::abs(c.body2.radius.curvature()));
 }
 
-Figure sphere_figure(const PointSolution& solution, const SphereHertz& hertz) {
+// Lines of a drawing in three dimensions, two points each.
+class Lines {
+ public:
+  void add(double x1, double y1, double z1, double x2, double y2, double z2) {
+    x_.insert(x_.end(), {x1, x2});
+    y_.insert(y_.end(), {y1, y2});
+    z_.insert(z_.end(), {z1, z2});
+  }
+  FigureData data() const { return FigureData({{"x", x_}, {"y", y_}, {"z", z_}}, 2); }
+
+ private:
+  std::vector<double> x_, y_, z_;
+};
+
+// The pyramid at a node: on each of the six triangles around it the pressure is linear.
+FigureData pyramid_at(int i, int j) {
+  constexpr int ring[6][2] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
+  Lines lines;
+  for (int k = 0; k < 6; ++k) {
+    const int x = i + ring[k][0];
+    const int y = j + ring[k][1];
+    lines.add(x, y, 0, i + ring[(k + 1) % 6][0], j + ring[(k + 1) % 6][1], 0);
+    lines.add(x, y, 0, i, j, 1);
+  }
+  return lines.data();
+}
+
+// Square cells, each cut into two triangles.
+FigureData lattice() {
+  constexpr int n = 2;
+  Lines lines;
+  for (int i = -n; i <= n; ++i) {
+    lines.add(i, -n, 0, i, n, 0);
+    lines.add(-n, i, 0, n, i, 0);
+    for (int j = -n; j < n; ++j) {
+      if (i < n) lines.add(i, j + 1, 0, i + 1, j, 0);
+    }
+  }
+  return lines.data();
+}
+
+Figure sphere_figure(const Spheres& spheres) {
   constexpr double shown = 1.2;  // over a
-  const double a = hertz.radius();
-  const double p0 = hertz.peak_pressure();
-  std::vector<double> x, pressure, row_x, row_pressure, r, difference;
+  const double a = spheres.hertz.radius();
+  const double p0 = spheres.hertz.peak_pressure();
+  std::vector<double> x{-shown}, pressure{0}, row_x, row_pressure, r, difference;
   constexpr int n = 200;
-  x.push_back(-shown);
-  pressure.push_back(0);
   for (int i = -n; i <= n; ++i) {
     x.push_back(std::sin(std::numbers::pi / 2 * i / n));
-    pressure.push_back(hertz.pressure(x.back() * a) / p0);
+    pressure.push_back(spheres.hertz.pressure(x.back() * a) / p0);
   }
   x.push_back(shown);
   pressure.push_back(0);
-  const point_contact::Grid& grid = solution.grid;
+  const point_contact::Grid& grid = spheres.solution.grid;
   for (Index j = 0; j < grid.n2; ++j) {
     for (Index i = 0; i < grid.n1; ++i) {
       const Vector2 at = grid.node(i, j);
-      const double p = solution.pressure[grid.index(i, j)] / p0;
-      const double error = std::abs(p - hertz.pressure(at.norm()) / p0);
+      const double p = spheres.solution.pressure[grid.index(i, j)] / p0;
+      const double error = std::abs(p - spheres.hertz.pressure(at.norm()) / p0);
       if (at.norm() < shown * a && error > 0) {
         r.push_back(at.norm() / a);
         difference.push_back(error);
@@ -59,88 +92,57 @@ Figure sphere_figure(const PointSolution& solution, const SphereHertz& hertz) {
           .height_cm = 4.4,
           .data = {{"hertz", {{"x", x}, {"pressure", pressure}}},
                    {"row", {{"x", row_x}, {"pressure", row_pressure}}},
-                   {"nodes", {{"r", r}, {"difference", difference}}}},
+                   {"nodes", {{"r", r}, {"difference", difference}}},
+                   {"base", lattice()},
+                   {"pyramid", pyramid_at(0, 0)},
+                   {"neighbour", pyramid_at(1, 0)}},
           .numbers = {{"shown", shown}}};
-}
-
-void check_spheres(Document& document, const TwoSpheres& spheres, const PointSolution& solution) {
-  const SphereHertz hertz = spheres.hertz();
-  const contact::Residuals& r = solution.residuals;
-  // Displacements are sums of as many rounded terms as there are nodes along a side, in the mean.
-  const double rounding = rounded(static_cast<double>(solution.grid.n1));
-  document.value("spheres.residual",
-                 Value(r.gap / hertz.approach() + rounding, scientific(1).rounded_up()).as_is());
-  document.check(
-      "pyramids-solve-point-contacts",
-      {Criterion::at_most("largest residual of eq. (1a) in contact, over the approach",
-                          Value({r.gap / hertz.approach(), rounding}, scientific(1)),
-                          {LimitKind::choice, 1e-7, "what no drawing shows"}),
-       Criterion::at_most("deepest penetration outside, over the approach",
-                          Value({r.separation / hertz.approach(), rounding}, scientific(1)),
-                          {LimitKind::choice, 1e-7, "the same"}),
-       Criterion::at_most("residual of equilibrium, over the load",
-                          Value(r.load / spheres.load, scientific(1)).as_is(),
-                          {LimitKind::choice, 1e-11, "a sum of thousands of terms"})},
-      "an array of pyramids solves the contact of two spheres");
-}
-
-void compare_with_hertz(Document& document, const ContactCase& c, const PointContactCase& p,
-                        const UnitSystem& units, const TwoSpheres& spheres) {
-  const SphereHertz hertz = spheres.hertz();
-  const PointSolution solution = solve_spheres(spheres, PointElement::pyramid, nodes_of_contact);
-  const double a = hertz.radius();
-  const auto closed = [&](const char* key, double number, const std::string& unit) {
-    document.value(key, Value(number, significant(4), unit).within(rounded(c, number)));
-  };
-  document.value("spheres.load", Value(spheres.load, exact(), units.force));
-  closed("spheres.radius", a, units.length);
-  closed("spheres.peak", hertz.peak_pressure(), units.stress);
-  document.value("spheres.of-radius",
-                 Value(a / least_radius(c), percent(1)).within(rounded(c, a / least_radius(c))));
-  document.value("spheres.nodes", Value(nodes_of_contact, integer()));
-  document.value("spheres.rows", Value(solution.grid.n2, integer()));
-  document.value("spheres.in-contact", Value(solution.n_in_contact(), integer()));
-  document.value("spheres.elements", Value(closed_form(a / solution.grid.spacing()), fixed(1)));
-  document.value("spheres.products", Value(solution.work.products, integer()));
-  const SphereErrors errors = sphere_errors(c, p);
-  document.value("spheres.peak-error", Value(errors.peak, scientific(2)));
-  document.value("spheres.radius-error", Value(errors.radius, scientific(2)));
-  Figure figure = sphere_figure(solution, hertz);
-  draw_pyramid(figure);
-  document.figure("sphere-pressure", std::move(figure));
-  check_spheres(document, spheres, solution);
 }
 
 }  // namespace
 
-point_contact::TwoSpheres two_spheres(const ContactCase& c, const PointContactCase& p) {
-  return {.contact_modulus = c.cylinders.contact_modulus(),
-          .relative_curvature = c.cylinders.relative_curvature(),
-          .load = p.load};
+Spheres solve_spheres(const ContactCase& c, const PointContactCase& p) {
+  constexpr double share = 0.9;  // of the square's half side that is in contact
+  const double modulus = c.cylinders.contact_modulus();
+  const double curvature = c.cylinders.relative_curvature();
+  const point_contact::Hertz hertz(modulus, curvature, p.load);
+  const point_contact::Problem problem{
+      point_contact::Profile::paraboloid(curvature), modulus,
+      point_contact::square_grid(2 * hertz.radius() / share, n_nodes),
+      point_contact::Element::pyramid};
+  return {hertz, point_contact::solve_for_load(problem, p.load, 1e-11)};
 }
 
-SphereErrors sphere_errors(const ContactCase& c, const PointContactCase& p) {
-  const point_contact::TwoSpheres spheres = two_spheres(c, p);
-  const point_contact::Solution solution =
-      solve_spheres(spheres, point_contact::Element::pyramid, nodes_of_contact);
-  const point_contact::PressureErrors errors = pressure_errors(spheres, solution);
-  const double bound = pressure_bound(solution);
-  const double closed = rounded(c, 1);
-  return {.peak = {std::abs(errors.peak), bound + closed},
-          .radius = {std::abs(errors.radius), bound_of_radius(bound) + closed},
-          .approach = {std::abs(errors.approach), bound_of_approach(bound) + closed},
-          .square = 1 / (errors.elements * errors.elements)};
+SphereErrors errors_of(const Spheres& spheres) {
+  const auto& [hertz, solution] = spheres;
+  const auto off = [](double number, double exact) { return std::abs(number / exact - 1); };
+  const Vector2 semi_axes = solution.semi_axes();
+  return {off(solution.peak_pressure(), hertz.peak_pressure()),
+          off(std::sqrt(semi_axes[0] * semi_axes[1]), hertz.radius()),
+          off(solution.approach, hertz.approach()),
+          std::pow(solution.grid.spacing / hertz.radius(), 2)};
 }
 
 void compute_spheres(Document& document, const Case& from) {
   if (!from.point_contact) return;
   const ContactCase& c = from.contact;
-  const PointContactCase& p = *from.point_contact;
-  const TwoSpheres spheres = two_spheres(c, p);
-  compare_with_hertz(document, c, p, from.units, spheres);
-  study_elements(document, c, spheres);
-  cross_cylinders(document, c, spheres.load, nodes_of_contact);
-  press_rough_sphere(document, spheres, p.roughness);
+  const UnitSystem& units = from.units;
+  const Spheres spheres = solve_spheres(c, *from.point_contact);
+  const auto& [hertz, solution] = spheres;
+  const auto value = [&](const char* key, double number, const literate::Format& format,
+                         const std::string& unit = "") {
+    document.value(key, Value(number, format, unit).as_is());
+  };
+  document.value("spheres.load", Value(from.point_contact->load, exact(), units.force));
+  value("spheres.radius", hertz.radius(), significant(4), units.length);
+  value("spheres.peak", hertz.peak_pressure(), significant(4), units.stress);
+  value("spheres.of-radius", hertz.radius() / least_radius(c), percent(1));
+  value("spheres.elements", hertz.radius() / solution.grid.spacing, fixed(1));
+  value("spheres.residual", solution.residuals.gap / hertz.approach(), scientific(1).rounded_up());
+  document.value("spheres.nodes", Value(n_nodes, integer()));
+  document.value("spheres.in-contact", Value(solution.n_in_contact(), integer()));
+  document.value("spheres.products", Value(solution.work.products, integer()));
+  document.figure("sphere-pressure", sphere_figure(spheres));
 }
 
 }  // namespace paper

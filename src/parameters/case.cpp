@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "config/table.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/problem.hpp"
-#include "point_contact/closed_forms/spheres.hpp"
 #include "system/require.hpp"
 
 namespace parameters {
@@ -32,28 +30,6 @@ constexpr double least_curvature = 1e-9;
 // Half-widths of the load across the block. A finer load makes elements so thin that the stiffness
 // is ill-conditioned.
 constexpr double widest_block = 2000;
-
-// The root mean square height of a roughness, over the approach of the smooth spheres. More would
-// spread the contact far beyond that of Hertz; less would not be seen.
-constexpr double least_roughness = 1e-6;
-constexpr double roughest = 0.1;
-
-// Of sliding cylinders. Above 0.378 the greatest shear is on the surface, where the report does not
-// seek it; less than the least would not be seen in its tables.
-constexpr double least_friction = 0.01;
-constexpr double greatest_friction = 0.35;
-
-// Materials in use are within it: diamond on rubber.
-constexpr double greatest_young_ratio = 1e6;
-
-// Waves on the cylinders: of fewer or more, of lower or higher ones the loads that the report tries
-// do not show how regions form and join.
-constexpr double fewest_waves = 2;
-constexpr double most_waves = 4;
-constexpr double least_flattening = 0.7;
-constexpr double most_flattening = 0.9;
-constexpr long fewest_wave_points = 501;
-constexpr long most_wave_points = 100'001;
 
 double in_range(const config::Table& table, const std::string& key, config::Dimension dimension,
                 const config::UnitSystem& units) {
@@ -80,23 +56,6 @@ long integer_in(const config::Table& table, const std::string& key, long fewest,
     table.fail(key, fmt::format("{}: must be from {} to {}", value, fewest, most));
   }
   return value;
-}
-
-double number_in(const config::Table& table, const std::string& key, double least_allowed,
-                 double greatest_allowed) {
-  const double value = table.number(key);
-  if (!(value >= least_allowed && value <= greatest_allowed)) {
-    table.fail(key,
-               fmt::format("{}: must be from {} to {}", value, least_allowed, greatest_allowed));
-  }
-  return value;
-}
-
-point_contact::Roughness read_roughness(const config::Table& table, double approach) {
-  return {.rms = approach * number_in(table, "rms_over_approach", least_roughness, roughest),
-          .n_waves = static_cast<int>(integer_in(table, "waves", 1, point_contact::max_waves)),
-          .hurst = number_in(table, "hurst", 0, 1),
-          .seed = static_cast<std::uint64_t>(integer_in(table, "seed", 0, 1'000'000'000))};
 }
 
 elasticity::Material read_material(const config::Table& table, const config::UnitSystem& units) {
@@ -151,41 +110,6 @@ CylinderCase read_body(const config::Table& table, const config::UnitSystem& uni
           table.at("radius", [&] { return line_contact::Radius::of_cylinder("radius", radius); })};
 }
 
-double read_poisson(const config::Table& table, const std::string& key) {
-  const double poisson = table.number(key);
-  return table.at(key, [&] { return elasticity::Material(1, poisson).poisson(); });
-}
-
-SlidingPair read_sliding_pair(const config::Table& table) {
-  const config::PrintedNumber ratio = table.printed_number("young_ratio");
-  if (!(ratio.value() >= 1 / greatest_young_ratio && ratio.value() <= greatest_young_ratio)) {
-    table.fail("young_ratio", fmt::format("{}: must be from {} to {}", ratio.text(),
-                                          1 / greatest_young_ratio, greatest_young_ratio));
-  }
-  return {table.text("bodies"), ratio, read_poisson(table, "poisson1"),
-          read_poisson(table, "poisson2")};
-}
-
-FrictionCase read_friction(const config::Table& table) {
-  FrictionCase friction{number_in(table, "light", least_friction, greatest_friction),
-                        number_in(table, "coefficient", least_friction, greatest_friction),
-                        {}};
-  if (!(friction.light < friction.coefficient)) {
-    table.fail("light", fmt::format("{}: must be less than contact.friction.coefficient, {}",
-                                    friction.light, friction.coefficient));
-  }
-  for (const config::Table& pair : table.tables("pairs")) {
-    friction.pairs.push_back(read_sliding_pair(pair));
-  }
-  return friction;
-}
-
-WavesCase read_waves(const config::Table& table) {
-  return {number_in(table, "in_half_width", fewest_waves, most_waves),
-          number_in(table, "flattening_share", least_flattening, most_flattening),
-          integer_in(table, "points", fewest_wave_points, most_wave_points)};
-}
-
 ContactCase read_contact(const config::Table& table, const config::UnitSystem& units) {
   const CylinderCase body1 = read_body(table.table("body1"), units);
   const CylinderCase body2 = read_body(table.table("body2"), units);
@@ -215,19 +139,7 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
                            "contact.load, nodes, body1 and body2 make",
                            datum, units.length, end));
   }
-  std::optional<FrictionCase> friction;
-  if (table.has("friction")) friction = read_friction(table.table("friction"));
-  std::optional<WavesCase> waves;
-  if (table.has("waves")) waves = read_waves(table.table("waves"));
-  return {body1, body2, cylinders, line_load, datum, n_nodes, friction, waves};
-}
-
-PointContactCase read_point_contact(const config::Table& table, const ContactCase& contact,
-                                    const config::UnitSystem& units) {
-  const double load = positive(table, "load", config::Dimension::force, units);
-  const point_contact::Hertz hertz(contact.cylinders.contact_modulus(),
-                                   contact.cylinders.relative_curvature(), load);
-  return {.load = load, .roughness = read_roughness(table.table("roughness"), hertz.approach())};
+  return {body1, body2, cylinders, line_load, datum, n_nodes};
 }
 
 block::Support read_sides(const config::Table& table) {
@@ -288,7 +200,8 @@ Case read_case(const std::filesystem::path& file) {
   const ContactCase contact = read_contact(root.table("contact"), units);
   std::optional<PointContactCase> point_contact;
   if (root.has("point_contact")) {
-    point_contact = read_point_contact(root.table("point_contact"), contact, units);
+    const config::Table table = root.table("point_contact");
+    point_contact = {positive(table, "load", config::Dimension::force, units)};
   }
   std::optional<BlockCase> block;
   if (root.has("block")) block = read_block(root.table("block"), half_space, units);

@@ -14,7 +14,6 @@
 #include "elasticity/material.hpp"
 #include "elasticity/triangular_load.hpp"
 #include "line_contact/cylinders.hpp"
-#include "point_contact/bodies/profile.hpp"
 
 namespace parameters {
 
@@ -36,28 +35,6 @@ struct CylinderCase {
   line_contact::Radius radius;
 };
 
-/// Two materials that slide on one another, as the report's table of pairs has them.
-struct SlidingPair {
-  std::string bodies;                 ///< their names
-  config::PrintedNumber young_ratio;  ///< E₁/E₂, as it is written
-  double poisson1;
-  double poisson2;
-};
-
-/// How the cylinders slide, for the parts of the report that go beyond the paper.
-struct FrictionCase {
-  double light;        ///< μ of a greased contact
-  double coefficient;  ///< μ, greater than `light`
-  std::vector<SlidingPair> pairs;
-};
-
-/// Waves machined into the cylinders, with the crest of one in the middle.
-struct WavesCase {
-  double in_half_width;     ///< waves in Hertz's half-width, a/λ
-  double flattening_share;  ///< the mean pressure that presses endless waves flat, over p₀
-  long n_points;            ///< of the profile, across four half-widths
-};
-
 /// Two cylinders pressed together.
 struct ContactCase {
   CylinderCase body1;
@@ -66,15 +43,11 @@ struct ContactCase {
   double line_load;
   double datum;  ///< where the points lie whose approach is stated
   long n_nodes;
-  std::optional<FrictionCase> friction = std::nullopt;
-  std::optional<WavesCase> waves = std::nullopt;
 };
 
-/// The bodies of ContactCase once more, with the radii as those of spheres and of crossed
-/// cylinders, and what a rough sphere has on its surface.
+/// The bodies of ContactCase once more, with the radii as those of spheres.
 struct PointContactCase {
   double load;  ///< P, a force
-  point_contact::Roughness roughness;
 };
 
 /// The finite block that the paper analysed with finite elements.

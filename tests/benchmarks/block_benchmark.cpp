@@ -8,7 +8,7 @@
 namespace {
 
 const elasticity::Material material(30e6, 0.30);
-const elasticity::Load load = elasticity::linear_fall(1000, 0.6, 0.01);
+const elasticity::Load load = elasticity::LinearFall(1000, 0.6, 0.01);
 const block::Supports clamped = block::with_sides(block::Support::clamped);
 
 block::Discretization discretization(const benchmark::State& state) {

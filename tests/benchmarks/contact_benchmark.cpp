@@ -11,7 +11,7 @@
 #include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/solver.hpp"
-#include "numerics/scatter.hpp"
+#include "numerics/fit.hpp"
 
 namespace {
 
@@ -45,7 +45,7 @@ void count(benchmark::State& state, const line_contact::Solution& solution) {
 template <class Method>
 void run(benchmark::State& state, const Method& method) {
   const line_contact::Problem problem = problem_of(state.range(0));
-  line_contact::Solution solution{};
+  line_contact::Solution solution{problem, {}, {}};
   for (auto _ : state) {
     solution = method(problem, load);
     benchmark::DoNotOptimize(solution.pressure.data());
@@ -70,7 +70,7 @@ void fft(benchmark::State& state) {
 // The exponent of N in the time from 2^14 to 2^22 nodes: least squares for the best of three.
 void fft_exponent(benchmark::State& state) {
   std::vector<double> n;
-  std::vector<numerics::Estimate> seconds;
+  std::vector<double> seconds;
   for (auto _ : state) {
     for (int power = 14; power <= 22; ++power) {
       const line_contact::Problem problem = problem_of(1L << power);
@@ -82,10 +82,10 @@ void fft_exponent(benchmark::State& state) {
         best = std::min(best, elapsed.count());
       }
       n.push_back(std::ldexp(1.0, power));
-      seconds.push_back({best, 0});
+      seconds.push_back(best);
     }
   }
-  state.counters["exponent"] = -numerics::fit_scattered_power(n, seconds, "runs").order.value();
+  state.counters["exponent"] = -numerics::fit_power(n, seconds).order;
 }
 
 BENCHMARK(matrix_inversion)->Arg(41)->Arg(91)->Arg(361)->Unit(benchmark::kMillisecond);

@@ -18,7 +18,7 @@ const double a = paper_block::half_width;
 
 const block::Analysis& analysis() {
   static const block::Analysis shared(paper_block::rectangle, paper_block::material,
-                                      {elasticity::linear_fall(1, 0, a)});
+                                      {elasticity::LinearFall(1, 0, a)});
   return shared;
 }
 
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(other_shapes_on_the_clamped_block_miss_by_ten_times_more) {
   const double best = linear_fit(Support::clamped).fit.max_misfit;
 
   const std::vector<elasticity::Load> loads = {
-      elasticity::linear_fall(1, 0, a), elasticity::linear_fall(1, 1, a),
+      elasticity::LinearFall(1, 0, a), elasticity::LinearFall(1, 1, a),
       elasticity::EllipticLoad(1, a), elasticity::power_fall(1, 2, a),
       elasticity::power_fall(1, 4, a)};
   for (const elasticity::Load& load : loads) {
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(discretisation_error_of_each_displacement_is_below_a_fiftie
 BOOST_AUTO_TEST_CASE(the_stated_triangle_misses_by_a_third_to_a_half) {
   const auto clamped = analysis().on(block::with_sides(Support::clamped));
 
-  const auto solution = clamped.solve(elasticity::linear_fall(1000, 0, a));
+  const auto solution = clamped.solve(elasticity::LinearFall(1000, 0, a));
 
   for (const auto& point : paper_block::printed) {
     const double ratio = solution.displacement_z(point.x, 0).value / point.u_z.value();

@@ -14,7 +14,7 @@ BOOST_AUTO_TEST_SUITE(bad_input_test)
 
 namespace {
 
-const elasticity::Load load = elasticity::linear_fall(1000, 0.6, 0.01);
+const elasticity::Load load = elasticity::LinearFall(1000, 0.6, 0.01);
 
 auto names(const std::string& quantity) {
   return [quantity](const sys::InvalidQuantity& e) { return e.quantity() == quantity; };

@@ -27,7 +27,7 @@ std::vector<block::SurfaceDisplacement> observe(const block::RefinedSolution& so
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(fit_recovers_a_known_linear_fall) {
-  const auto known = elasticity::linear_fall(871.5, 0.4385, paper_block::half_width);
+  const auto known = elasticity::LinearFall(871.5, 0.4385, paper_block::half_width);
   const auto clamped = clamped_block({known});
   const auto observed = observe(clamped.solve(known));
 
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(fit_of_one_load_finds_its_scale) {
 }
 
 BOOST_AUTO_TEST_CASE(misfits_are_the_relative_residuals_of_the_fitted_solution) {
-  const auto clamped = clamped_block({elasticity::linear_fall(1, 0, paper_block::half_width)});
+  const auto clamped = clamped_block({elasticity::LinearFall(1, 0, paper_block::half_width)});
 
   const block::LinearFit fit =
       block::fit_linear_load(clamped, paper_block::half_width, paper_block::printed);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(misfits_are_the_relative_residuals_of_the_fitted_solution) 
 }
 
 BOOST_AUTO_TEST_CASE(no_other_peak_and_edge_fraction_fit_better) {
-  const auto clamped = clamped_block({elasticity::linear_fall(1, 0, paper_block::half_width)});
+  const auto clamped = clamped_block({elasticity::LinearFall(1, 0, paper_block::half_width)});
   const auto best = block::fit_linear_load(clamped, paper_block::half_width, paper_block::printed);
 
   double least = 0;
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(no_other_peak_and_edge_fraction_fit_better) {
   for (const double peak_step : {-1e-4, 0.0, 1e-4}) {
     for (const double edge_step : {-1e-4, 0.0, 1e-4}) {
       if (peak_step == 0 && edge_step == 0) continue;
-      const auto load = elasticity::linear_fall(best.peak.value() * (1 + peak_step),
+      const auto load = elasticity::LinearFall(best.peak.value() * (1 + peak_step),
                                                 best.edge_fraction.value() * (1 + edge_step),
                                                 paper_block::half_width);
       const auto solution = clamped.solve(load);
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(no_other_peak_and_edge_fraction_fit_better) {
 
 BOOST_AUTO_TEST_CASE(too_few_or_senseless_observations_are_refused) {
   const double a = paper_block::half_width;
-  const auto clamped = clamped_block({elasticity::linear_fall(1, 0, a)});
+  const auto clamped = clamped_block({elasticity::LinearFall(1, 0, a)});
 
   BOOST_CHECK_THROW(block::fit_linear_load(clamped, a, {{0, 1e-6}}), sys::InvalidQuantity);
   BOOST_CHECK_THROW(block::fit_linear_load(clamped, a, {{0, 1e-6}, {0.01, 0}}),

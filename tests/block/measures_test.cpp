@@ -27,7 +27,7 @@ std::vector<block::MeasureEstimate> measures_of(const elasticity::Load& load, Su
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_measure_converges_within_its_estimate) {
-  const auto load = elasticity::linear_fall(994, 0.608, paper_block::half_width);
+  const auto load = elasticity::LinearFall(994, 0.608, paper_block::half_width);
   for (const Support sides : {Support::clamped, Support::free}) {
     const auto computed = measures_of(load, sides, {});
 
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(every_measure_converges_within_its_estimate) {
 }
 
 BOOST_AUTO_TEST_CASE(polynomials_overshoot_a_jump_of_pressure_at_every_refinement) {
-  const auto load = elasticity::linear_fall(1000, 0.6, paper_block::half_width);
+  const auto load = elasticity::LinearFall(1000, 0.6, paper_block::half_width);
 
   for (const int refine : {1, 2}) {
     const auto measures = measures_of(load, Support::clamped, {.order = 7, .refine = refine});
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(polynomials_overshoot_a_jump_of_pressure_at_every_refinemen
 }
 
 BOOST_AUTO_TEST_CASE(measures_have_the_signs_of_appendix_2) {
-  const auto measures = measures_of(elasticity::linear_fall(1000, 0.6, paper_block::half_width),
+  const auto measures = measures_of(elasticity::LinearFall(1000, 0.6, paper_block::half_width),
                                     Support::clamped, {.order = 5, .refine = 0});
 
   for (const std::string name :
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(measures_have_the_signs_of_appendix_2) {
 
 BOOST_AUTO_TEST_CASE(out_of_plane_maximum_is_poisson_times_the_in_plane_maxima_as_printed) {
   // Ruggiero (2001), Appendix 2: −591.4541 = 0.30·(−978.7585 − 992.7550), all at x = 0
-  const auto measures = measures_of(elasticity::linear_fall(1000, 0.6, paper_block::half_width),
+  const auto measures = measures_of(elasticity::LinearFall(1000, 0.6, paper_block::half_width),
                                     Support::clamped, {.order = 8, .refine = 2});
 
   const double sum = measure(measures, "max_stress_xx") + measure(measures, "max_stress_yy");

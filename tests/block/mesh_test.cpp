@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(every_kink_of_every_load_is_a_line_of_the_mesh) {
   const block::Rectangle rectangle(2, 1);
   const auto flat =
       elasticity::distributed_load([](double) { return 3.0; }, nullptr, {-0.1, -0.06, 0.06, 0.1});
-  const auto triangle = elasticity::linear_fall(3, 0, 0.1);
+  const auto triangle = elasticity::LinearFall(3, 0, 0.1);
 
   const block::Mesh mesh = block::graded_mesh(rectangle, {flat, triangle}, {});
 
@@ -41,9 +41,9 @@ BOOST_AUTO_TEST_CASE(every_kink_of_every_load_is_a_line_of_the_mesh) {
 
 BOOST_AUTO_TEST_CASE(kinks_that_rounding_set_apart_are_one) {
   const double next = std::nextafter(0.1, 1);
-  const auto one = elasticity::linear_fall(3, 0, 0.1);
-  const auto other = elasticity::linear_fall(3, 0, next);
-  const auto whole = elasticity::linear_fall(3, 0, std::nextafter(1.0, 0));
+  const auto one = elasticity::LinearFall(3, 0, 0.1);
+  const auto other = elasticity::LinearFall(3, 0, next);
+  const auto whole = elasticity::LinearFall(3, 0, std::nextafter(1.0, 0));
 
   BOOST_TEST(block::kinks_of({one, other}).size() == 3U);
   const block::Mesh mesh = block::graded_mesh({2, 1}, {one, other, whole}, {});
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(kinks_that_rounding_set_apart_are_one) {
 }
 
 BOOST_AUTO_TEST_CASE(each_level_of_refinement_adds_elements) {
-  const auto load = elasticity::linear_fall(3, 0.6, 0.1);
+  const auto load = elasticity::LinearFall(3, 0.6, 0.1);
   block::Index last = 0;
 
   for (int refine = 0; refine <= 6; ++refine) {

@@ -56,7 +56,7 @@ const elasticity::Load skew_load =
 
 BOOST_AUTO_TEST_CASE(reactions_balance_any_load) {
   for (const Support sides : {Support::clamped, Support::roller, Support::free}) {
-    for (const auto& load : {skew_load, elasticity::linear_fall(1000, 0.6, 0.01)}) {
+    for (const auto& load : {skew_load, elasticity::LinearFall(1000, 0.6, 0.01)}) {
       const block::Solution solution = solve(load, sides);
 
       const block::Resultant applied = solution.applied();
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(resultant_is_the_integral_of_the_tractions) {
 
 BOOST_AUTO_TEST_CASE(symmetric_load_displaces_symmetrically) {
   for (const Support sides : {Support::clamped, Support::roller, Support::free}) {
-    const block::Solution solution = solve(elasticity::linear_fall(1000, 0.6, 0.01), sides);
+    const block::Solution solution = solve(elasticity::LinearFall(1000, 0.6, 0.01), sides);
 
     for (const double x : {0.00385, 0.01, 0.0317, 0.6}) {
       for (const double z : {0.0, 0.0077, 0.4}) {
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(symmetric_load_displaces_symmetrically) {
 
 BOOST_AUTO_TEST_CASE(strain_energy_is_half_the_work_of_the_load) {
   for (const Support sides : {Support::clamped, Support::roller, Support::free}) {
-    const elasticity::Load load = elasticity::linear_fall(1000, 0, 0.01);
+    const elasticity::Load load = elasticity::LinearFall(1000, 0, 0.01);
     const block::Solution solution = solve(load, sides);
 
     // ½∫ p u_z dx by Simpson's rule on each half of the triangle
@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(strain_energy_is_half_the_work_of_the_load) {
 BOOST_AUTO_TEST_CASE(results_do_not_depend_on_the_system_of_units) {
   const double inch = 25.4;           // mm
   const double psi = 6.894757293e-3;  // MPa
-  const auto load = elasticity::linear_fall(1000, 0.6, 0.01);
-  const auto metric_load = elasticity::linear_fall(1000 * psi, 0.6, 0.01 * inch);
+  const auto load = elasticity::LinearFall(1000, 0.6, 0.01);
+  const auto metric_load = elasticity::LinearFall(1000 * psi, 0.6, 0.01 * inch);
   const block::Analysis metric({2 * inch, inch}, {30e6 * psi, 0.3}, {metric_load},
                                {.order = 6, .refine = 1});
 
@@ -137,15 +137,15 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_the_system_of_units) {
 }
 
 BOOST_AUTO_TEST_CASE(combination_is_the_solution_of_the_combined_load) {
-  const auto triangle = elasticity::linear_fall(1, 0, 0.01);
-  const auto uniform = elasticity::linear_fall(1, 1, 0.01);
+  const auto triangle = elasticity::LinearFall(1, 0, 0.01);
+  const auto uniform = elasticity::LinearFall(1, 1, 0.01);
   const block::Analysis analysis(paper_block::rectangle, paper_block::material, {triangle, uniform},
                                  {.order = 4, .refine = 0});
   const auto clamped = analysis.on(block::with_sides(Support::clamped));
 
   const auto sum = block::RefinedSolution::combination(
       {clamped.solve(triangle), clamped.solve(uniform)}, {400, 600});
-  const auto direct = clamped.solve(elasticity::linear_fall(1000, 0.6, 0.01));
+  const auto direct = clamped.solve(elasticity::LinearFall(1000, 0.6, 0.01));
 
   const numerics::Estimate expected = direct.displacement_z(0.02, 0);
   BOOST_TEST(sum.displacement_z(0.02, 0).value == expected.value,
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(estimates_are_the_finer_value_and_its_distance_from_the_coa
 
 BOOST_AUTO_TEST_CASE(points_outside_the_block_are_refused) {
   const block::Solution solution =
-      solve(elasticity::linear_fall(1000, 0.6, 0.01), Support::clamped);
+      solve(elasticity::LinearFall(1000, 0.6, 0.01), Support::clamped);
 
   BOOST_CHECK_THROW(solution.displacement(1.001, 0), sys::InvalidQuantity);
   BOOST_CHECK_THROW(solution.at(0, 1.001), sys::InvalidQuantity);

@@ -64,11 +64,11 @@ page "$scratch" >/dev/null
 # A command that the page does not know is told with its place, before anything else is made.
 mkdir "$scratch/unknown"
 cp -R "$source_dir/report" "$scratch/unknown/report"
-printf '\n\\unheard{x}\n' >>"$scratch/unknown/report/sections/octave.tex"
+printf '\n\\unheard{x}\n' >>"$scratch/unknown/report/sections/results.tex"
 status=0
 settings "$scratch" "$case" "document=$scratch/unknown/report"
 said=$("$program" page "$scratch/page.settings" 2>&1) || status=$?
-[[ $status -eq 2 && $said == *'report/sections/octave.tex:'*': \unheard is not known to the page'* ]] || {
+[[ $status -eq 2 && $said == *'report/sections/results.tex:'*': \unheard is not known to the page'* ]] || {
   printf 'the page says with status %s: %s\n' "$status" "$said"
   exit 1
 }

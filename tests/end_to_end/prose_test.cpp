@@ -96,34 +96,4 @@ BOOST_AUTO_TEST_CASE(a_quotation_that_the_text_does_not_have_fails_with_both_pla
   check_found(0, workplace, "");
 }
 
-BOOST_AUTO_TEST_CASE(a_program_older_than_its_excerpts_is_refused) {
-  const TemporaryFolder checkout;
-  fs::create_directory(checkout.path() / "report");
-  for (const char* folder : {"src", "report/octave"}) {
-    fs::copy(source_dir / folder, checkout.path() / folder, fs::copy_options::recursive);
-  }
-  const fs::path source = checkout.path() / "src/contact/reference_methods.cpp";
-  const std::string marker = "// begin excerpt: matrix-inversion\n";
-  sys::write_file_atomically(source, with(sys::read_file(source), marker, marker + "//\n"));
-  const fs::path output = checkout.path() / "out";
-
-  check_refused(
-      2,
-      ReportSettings{steel_case, output, source_dir / "report", checkout.path()}.stage("compute"),
-      {"src/contact/reference_methods.cpp: excerpt 'matrix-inversion' is not what this "
-       "program was compiled from: rebuild"});
-  BOOST_TEST(!fs::exists(output));
-}
-
-BOOST_AUTO_TEST_CASE(an_excerpt_that_is_never_closed_is_refused_with_its_line) {
-  const TemporaryFolder checkout;
-  checkout.write("src/a.cpp", "int a;\n// begin excerpt: open\nint b;\n");
-
-  check_refused(
-      2,
-      ReportSettings{steel_case, checkout.path() / "out", source_dir / "report", checkout.path()}
-          .stage("compute"),
-      {"src/a.cpp:2: excerpt 'open' has no end marker"});
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -19,7 +19,6 @@ using Eigen::Index;
 using line_contact::Element;
 using line_contact::influence_coefficient;
 using line_contact::influence_difference;
-using line_contact::influence_gradient;
 
 namespace {
 
@@ -38,19 +37,6 @@ Precise precise_coefficient(Element element, const Precise& k) {
   }
   if (k == 0) return -log(2 * mpfr::const_pi());
   return log(abs(k));
-}
-
-Precise precise_gradient(Element element, const Precise& k) {
-  const Precise half = Precise(1) / 2;
-  switch (element) {
-    case Element::triangular:
-      return precise_gradient_bracket(k);
-    case Element::uniform:
-      return log(abs((k + half) / (k - half)));
-    case Element::point:
-      break;
-  }
-  return k == 0 ? Precise(0) : Precise(1 / k);
 }
 
 // Every whole number to 40, across the change to a series at 16, and some up to 1e9.
@@ -117,47 +103,6 @@ BOOST_AUTO_TEST_CASE(differences_are_right_to_1e_14_of_themselves) {
       BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
         const Precise exact = precise_coefficient(element, k + 1) - precise_coefficient(element, k);
         BOOST_TEST(relative_error(influence_difference(element, k), exact) < 1e-14);
-      }
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(gradients_are_right_to_1e_15_and_far_away_to_1e_14_of_themselves) {
-  for (const Element element : elements) {
-    for (const Index k : whole_numbers()) {
-      BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
-        const double value = influence_gradient(element, k);
-        const Precise exact = precise_gradient(element, k);
-        BOOST_TEST(absolute_error(value, exact) < 1e-15);
-        if (k >= 16) BOOST_TEST(relative_error(value, exact) < 1e-14);
-      }
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_coefficient_is_even_and_a_gradient_odd) {
-  for (const Element element : elements) {
-    for (const Index k : {1, 2, 15, 16, 23'850}) {
-      const auto distance = static_cast<double>(k);
-      BOOST_TEST(influence_coefficient(element, -distance) ==
-                 influence_coefficient(element, distance));
-      BOOST_TEST(influence_gradient(element, -k) == -influence_gradient(element, k));
-    }
-    BOOST_TEST(influence_gradient(element, 0) == 0);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_gradient_is_the_derivative_of_the_coefficient) {
-  // By central differences in a hundred digits, whose error is of the order of the square of the
-  // step.
-  const Precise step("1e-15");
-  for (const Element element : elements) {
-    for (const Index k : {1, 2, 3, 15, 16, 17, 2385}) {
-      const Precise derivative =
-          (precise_coefficient(element, k + step) - precise_coefficient(element, k - step)) /
-          (2 * step);
-      BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
-        BOOST_TEST(relative_error(influence_gradient(element, k), derivative) < 1e-13);
       }
     }
   }

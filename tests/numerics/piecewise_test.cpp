@@ -2,7 +2,11 @@
 #include "numerics/piecewise.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
 
 #include "system/require.hpp"
 
@@ -59,6 +63,38 @@ BOOST_AUTO_TEST_CASE(ends_and_values_that_are_not_finite_are_refused) {
 
   BOOST_CHECK_THROW(PiecewiseFunction({{0, infinity, one}}), InvalidQuantity);
   BOOST_CHECK_THROW(PiecewiseFunction({{0, 1, [](double s) { return 1 / s; }}}), InvalidQuantity);
+}
+
+BOOST_AUTO_TEST_CASE(polynomials_and_roots_are_resolved_as_they_are) {
+  const auto quartic = [](double s) { return 1 - s * s * s * s; };
+  const auto ellipse = [](double s) { return std::sqrt((1 - s) * (1 + s)); };
+  for (const std::function<double(double)>& f : {std::function<double(double)>(quartic), {ellipse}}) {
+    BOOST_TEST(resolved(PiecewiseFunction({{-1, 1, f}})).pieces().size() == 1U);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_narrow_feature_is_cut_out_and_a_kink_is_found) {
+  const auto bump = [](double s) { return 1 + std::exp(-std::pow((s - 0.2385) / 1e-3, 2)); };
+  const PiecewiseFunction of_bump = resolved(PiecewiseFunction({{-1, 1, bump}}));
+  double at_bump = 2;
+  for (const Piece& piece : of_bump.pieces()) {
+    if (piece.begin <= 0.2385 && 0.2385 <= piece.end) at_bump = piece.end - piece.begin;
+  }
+  BOOST_TEST(at_bump < 8e-3);
+  BOOST_TEST(of_bump.pieces().size() < 64U);
+
+  const auto kink = [](double s) { return std::abs(s - 0.2385); };
+  const PiecewiseFunction of_kink = resolved(PiecewiseFunction({{-1, 1, kink}}));
+  double nearest = 2;
+  for (const Piece& piece : of_kink.pieces()) {
+    nearest = std::min(nearest, std::abs(piece.end - 0.2385));
+  }
+  BOOST_TEST(nearest < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(a_wave_between_evenly_spaced_probes_is_seen) {
+  const auto wave = [](double s) { return std::sin(2048 * std::numbers::pi * (s + 1)); };
+  BOOST_TEST(resolved(PiecewiseFunction({{-1, 1, wave}})).pieces().size() >= 256U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -59,16 +59,6 @@ Verdict verdict(const Document& document, const std::string& id) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(there_are_enough_claims_of_the_paper_and_of_ours) {
-  const auto n_papers = std::ranges::count_if(papers().claims(), [](const auto& entry) {
-    return !statements().at(entry.first).source.empty();
-  });
-
-  BOOST_TEST(n_papers >= 17);
-  BOOST_TEST(std::ssize(papers().claims()) - n_papers >= 8);
-  BOOST_TEST(steel().claims().size() >= 9U);
-}
-
 BOOST_AUTO_TEST_CASE(every_verdict_is_the_expected_one) {
   for (const Document* document : {&papers(), &steel()}) {
     BOOST_TEST(document->faults() == std::vector<std::string>{}, boost::test_tools::per_element());

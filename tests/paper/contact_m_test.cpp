@@ -38,9 +38,7 @@ parameters::ContactCase cylinders_of(const Material& material1, const Material& 
           {material1, radius1, material2, radius2},
           2500,
           1,
-          91,
-          {},
-          {}};
+          91};
 }
 
 parameters::ContactCase papers_contact() {

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "literate/document/names.hpp"
-#include "literate/excerpts/excerpt.hpp"
 #include "literate/prose/references.hpp"
 #include "system/csv.hpp"
 #include "system/decimal.hpp"
@@ -26,8 +25,6 @@ const std::string source_dir = HALFSPACE_SOURCE_DIR;
 const std::string papers_text = sys::read_file(source_dir + "/report/ruggiero2001.toml");
 const std::string steel_text = sys::read_file(source_dir + "/tests/end_to_end/steel_mm.toml");
 
-const auto excerpts = literate::find_excerpts(source_dir, {"src", "report/octave"});
-
 // The paper's case without the finite body, which takes most of the time.
 std::string without_block() {
   const auto begin = papers_text.find("\n[block]");
@@ -39,8 +36,7 @@ std::string without_block() {
 Document computed(const std::string& case_text) {
   const TemporaryFolder folder;
   Document document;
-  paper::compute(document, parameters::read_case(folder.write("case.toml", case_text)),
-                 paper::Listings{source_dir, excerpts});
+  paper::compute(document, parameters::read_case(folder.write("case.toml", case_text)));
   return document;
 }
 
@@ -66,7 +62,7 @@ std::set<std::string> failures(const Document& document) {
 std::vector<std::string> unknown_names(const Document& document) {
   const TemporaryFolder folder;
   const auto file =
-      folder.write("names.json", literate::names_json(document.registered(), excerpts, {}));
+      folder.write("names.json", literate::names_json(document.registered(), {}, {}));
   return literate::check_references(source_dir + "/report", literate::read_names(file)).errors;
 }
 
@@ -180,21 +176,6 @@ BOOST_AUTO_TEST_CASE(hertz_and_the_scale_of_eq_3_are_those_of_the_textbook) {
   BOOST_TEST(number(document, "cylinders.hertz.half-width") == half_width, close);
   BOOST_TEST(number(document, "cylinders.hertz.peak") == 2 * 780 / (pi * half_width), close);
   BOOST_TEST(number(document, "displacement-scale") == scale, close);
-}
-
-BOOST_AUTO_TEST_CASE(grids_that_end_on_the_edge_have_orders_of_a_half_one_and_two) {
-  // The rows: nodes, four errors with their bounds, order with its bound and its standard
-  // uncertainty; none where the errors follow no power.
-  const std::string csv = computed(steel_text).tables().at("graded").csv();
-  std::vector<double> orders;
-  for (const sys::CsvRow& row : sys::parse_csv(csv, "graded.csv", sys::CsvComments::number_sign)) {
-    const auto order = sys::parsed<double>(row[row.size() - 3].text);
-    if (order) orders.push_back(*order);
-  }
-  BOOST_TEST_REQUIRE(orders.size() == 4U, csv);
-  BOOST_TEST(std::abs(orders[0] - 0.5) < 0.1);
-  BOOST_TEST(std::abs(orders[1] - 1) < 0.1);
-  BOOST_TEST(std::abs(orders[3] - 2) < 0.1);
 }
 
 BOOST_AUTO_TEST_CASE(the_errors_against_hertz_hold_wherever_the_edge_lies) {

@@ -77,14 +77,6 @@ BOOST_AUTO_TEST_CASE(a_file_name_that_latex_cannot_print_is_refused) {
   BOOST_TEST(found("my_case % #1 $x$.toml") == "");
 }
 
-BOOST_AUTO_TEST_CASE(the_report_needs_friction_and_waves) {
-  std::string without = papers_text;
-  without.erase(without.find("[contact.friction]"),
-                without.find("[contact.waves]") - without.find("[contact.friction]"));
-  const std::string what = complaint(without);
-  BOOST_TEST(what.find("contact.friction: missing") != std::string::npos, what);
-}
-
 BOOST_AUTO_TEST_CASE(grids_and_blocks_that_the_report_cannot_judge_are_refused) {
   check_refused("nodes = 91", "nodes = 6",
                 "contact.nodes: 6: must be from 7 to 401 for the report");

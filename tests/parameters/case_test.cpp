@@ -57,24 +57,8 @@ BOOST_AUTO_TEST_CASE(the_papers_case_is_what_the_paper_says) {
   BOOST_TEST(c.half_space.points.size() == 11U);
   BOOST_TEST(c.half_space.points[2] == 0.01);
   BOOST_TEST(c.contact.line_load == 2500);
-  BOOST_TEST_REQUIRE(c.contact.friction.has_value());
-  BOOST_TEST(c.contact.friction->light == 0.1);
-  BOOST_TEST(c.contact.friction->coefficient == 0.3);
-  BOOST_TEST_REQUIRE(c.contact.friction->pairs.size() == 6U);
-  BOOST_TEST(c.contact.friction->pairs[1].bodies == "brass on steel");
-  BOOST_TEST(c.contact.friction->pairs[1].young_ratio.value() == 0.52);
-  BOOST_TEST(c.contact.friction->pairs[1].young_ratio.place() == -2);
-  BOOST_TEST(c.contact.friction->pairs[1].poisson1 == 0.34);
-  BOOST_TEST(c.contact.friction->pairs[1].poisson2 == 0.29);
-  BOOST_TEST_REQUIRE(c.contact.waves.has_value());
-  BOOST_TEST(c.contact.waves->in_half_width == 3);
-  BOOST_TEST(c.contact.waves->flattening_share == 0.8);
-  BOOST_TEST(c.contact.waves->n_points == 2001);
   BOOST_TEST_REQUIRE(c.point_contact.has_value());
   BOOST_TEST(c.point_contact->load == 100);
-  BOOST_TEST(std::abs(c.point_contact->roughness.rms / (0.07 * 3.022181e-4) - 1) < 1e-6);
-  BOOST_TEST(c.point_contact->roughness.n_waves == 20);
-  BOOST_TEST(c.point_contact->roughness.seed == 2001U);
 }
 
 BOOST_AUTO_TEST_CASE(what_the_paper_prints_is_left_to_who_reads_it) {
@@ -147,50 +131,11 @@ BOOST_AUTO_TEST_CASE(every_quantity_out_of_range_is_refused_by_its_key) {
   check_refused("value = 10, unit", "value = inf, unit", "half_space.datum.value");
 }
 
-BOOST_AUTO_TEST_CASE(friction_and_waves_have_ranges) {
-  check_refused("light = 0.1", "light = 0.3",
-                "contact.friction.light: 0.3: must be less than contact.friction.coefficient, 0.3");
-  check_refused("coefficient = 0.3", "coefficient = 0.36",
-                "contact.friction.coefficient: 0.36: must be from 0.01 to 0.35");
-  check_refused("light = 0.1", "light = 0", "contact.friction.light: 0: must be from 0.01");
-  check_refused("young_ratio = \"0.52\"", "young_ratio = \"0\"",
-                "contact.friction.pairs.young_ratio: 0: must be from 1e-06 to 1000000");
-  check_refused("young_ratio = \"0.52\"", "young_ratio = 0.52", "pairs.young_ratio");
-  check_refused("poisson1 = 0.22", "poisson1 = 0.6", "contact.friction.pairs.poisson1");
-  check_refused("bodies = \"brass on steel\"", "body = \"brass on steel\"", "pairs.bodies");
-  check_refused("in_half_width = 3", "in_half_width = 5",
-                "contact.waves.in_half_width: 5: must be from 2 to 4");
-  check_refused("flattening_share = 0.8", "flattening_share = 1",
-                "contact.waves.flattening_share: 1: must be from 0.7 to 0.9");
-  check_refused("points = 2001", "points = 500",
-                "contact.waves.points: 500: must be from 501 to 100001");
-}
-
-BOOST_AUTO_TEST_CASE(a_case_may_do_without_friction_and_waves) {
-  const std::string text = papers_text();
-  const auto begin = text.find("[contact.friction]");
-  const auto end = text.find("[point_contact]");
-  BOOST_REQUIRE(begin < end);
-  const TemporaryFolder folder;
-  const auto file = folder.write("case.toml", text.substr(0, begin) + text.substr(end));
-  BOOST_TEST(!read_case(file).contact.friction.has_value());
-  BOOST_TEST(!read_case(file).contact.waves.has_value());
-}
-
 BOOST_AUTO_TEST_CASE(a_point_contact_has_ranges_too) {
   check_refused("load = {value = 100, unit = \"lbf\"}", "load = {value = -100, unit = \"lbf\"}",
                 "point_contact.load: -100 lbf: must be greater than 0");
   check_refused("load = {value = 100, unit = \"lbf\"}", "load = {value = 100, unit = \"psi\"}",
                 "point_contact.load");
-  check_refused("approach = 0.07", "approach = 0", "point_contact.roughness.rms_over_approach");
-  check_refused("waves = 20", "waves = 65", "roughness.waves: 65: must be from 1 to 64");
-  check_refused("waves = 20", "waves = 0", "roughness.waves");
-  check_refused("hurst = 0.8", "hurst = 1.1", "roughness.hurst: 1.1: must be from 0 to 1");
-  check_refused("hurst = 0.8", "hurst = nan", "roughness.hurst");
-  check_refused("seed = 2001", "seed = -1", "roughness.seed");
-  check_refused("seed = 2001", "sed = 2001", "roughness.seed");
-  check_refused("approach = 0.07", "approach = 0.2",
-                "rms_over_approach: 0.2: must be from 1e-06 to 0.1");
 }
 
 BOOST_AUTO_TEST_CASE(a_case_may_do_without_a_point_contact) {

@@ -10,7 +10,6 @@
 #include "assignment/exercises/contact_solver.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/dense_methods.hpp"
-#include "line_contact/element.hpp"
 
 namespace assignment::contact_solver {
 namespace {
@@ -52,11 +51,7 @@ Reference solve(const Cylinders& c) {
       Radius::of_cylinder("radius2", c.radius2));
   const line_contact::Solution solution = line_contact::solve_by_matrix_inversion(
       {pair.profile(), pair.contact_modulus(), {c.n_nodes, c.spacing}}, c.line_load);
-  // Each coefficient is zero at the datum instead of at one spacing, which adds Σ φ T(datum/c).
-  const double total_phi = 2 * c.line_load / (std::numbers::pi * pair.contact_modulus());
-  const double to_datum =
-      line_contact::influence_coefficient(line_contact::Element::triangular, c.datum / c.spacing);
-  return {solution.approach_at_spacing + total_phi * to_datum, solution.half_width(),
+  return {solution.approach(c.datum), solution.half_width(),
           Numbers(solution.pressure.begin(), solution.pressure.end())};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "point_contact/elements/lattice.hpp"
+#include "point_contact/elements/edge.hpp"
 
 namespace point_contact {
 

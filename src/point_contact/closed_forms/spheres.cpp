@@ -4,16 +4,29 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/partial_slip.hpp"
-#include "point_contact/closed_forms/revolution.hpp"
 #include "system/require.hpp"
 
 namespace point_contact {
+namespace {
+
+// w − arctan w for w ≥ 0 without cancellation: 5e-16 relative.
+double excess_over_arctangent(double w) {
+  // Beyond 0.6 the subtraction loses less than four bits; below, 40 terms of the series
+  // w³/3 − w⁵/5 + … reach rounding.
+  constexpr double near = 0.6;
+  if (w > near) return w - std::atan(w);
+  constexpr int n_terms = 40;
+  double sum = 0;
+  for (int k = n_terms; k >= 1; --k) sum = 1.0 / (2 * k + 1) - w * w * sum;
+  return w * w * w * sum;
+}
+
+}  // namespace
+
 Hertz::Hertz(double contact_modulus, double relative_curvature, double load)
     : relative_curvature_(sys::require_positive("relative_curvature", relative_curvature)),
-      load_(sys::require_positive("load", load)),
       radius_(std::cbrt(
-          3 * load /
+          3 * sys::require_positive("load", load) /
           (4 * sys::require_positive("contact_modulus", contact_modulus) * relative_curvature))),
       peak_pressure_(3 * load / (2 * std::numbers::pi * radius_ * radius_)) {}
 
@@ -30,69 +43,6 @@ double Hertz::gap(double r) const {
   const double tangent = std::sqrt((distance - radius_) * (distance + radius_)) / radius_;
   const double bracket = std::atan(tangent) * tangent * tangent + excess_over_arctangent(tangent);
   return approach() / std::numbers::pi * bracket;
-}
-
-Huber::Huber(const Hertz& normal, double nu) : normal_(normal), nu_(nu) {
-  if (!(nu > -1 && nu <= 0.5)) {
-    throw sys::InvalidQuantity("nu", nu, "greater than -1 and at most 0.5");
-  }
-}
-
-AxialStress Huber::stress(double r, double z) const {
-  sys::require_finite("r", r);
-  if (!(sys::require_finite("z", z) >= 0)) {
-    throw sys::InvalidQuantity("z", z, "0 or greater, a depth");
-  }
-  // Lengths in units of a: u² − (r²+z²−1)u − z² = 0, and w² = z²/u solves the same with the sign of
-  // the middle term changed.
-  const double a = normal_.radius();
-  r /= a;
-  z /= a;
-  const double middle = (r - 1) * (r + 1) + z * z;
-  const double root = std::hypot(middle, 2 * z);
-  const double u = middle > 0 ? (middle + root) / 2 : (z > 0 ? 2 * z * z / (root - middle) : 0);
-  const double w = middle > 0 ? z / std::sqrt(u) : std::sqrt((root - middle) / 2);
-
-  const double sqrt_u = std::sqrt(u);
-  const double angle = sqrt_u > 0 ? sqrt_u * std::atan(1 / sqrt_u) : 0;
-  const double denominator = u + w * w;
-  const double normal = denominator > 0 ? w * w * w / denominator : 0;
-  const double shear = denominator > 0 ? r * w * w * sqrt_u / (denominator * (1 + u)) : 0;
-  const double surface = (1 - 2 * nu_) / 3 * (1 + w + w * w) / ((1 + w) * (1 + u));
-  const double spread = (1 - nu_) * u / (1 + u);
-
-  const double p0 = normal_.peak_pressure();
-  return {.rr = p0 * (surface + normal + w * (spread + (1 + nu_) * angle - 2)),
-          .tt = -p0 * (surface + w * (2 * nu_ + spread - (1 + nu_) * angle)),
-          .zz = -p0 * normal,
-          .rz = -p0 * shear};
-}
-
-CattaneoMindlin::CattaneoMindlin(const Hertz& normal, double friction, double tangential_load)
-    : normal_(normal),
-      friction_(friction),
-      tangential_load_(tangential_load),
-      share_of_sliding_(contact::share_of_sliding(normal.load(), friction, tangential_load)),
-      stick_radius_(normal.radius() * std::cbrt(1 - share_of_sliding_)) {}
-
-double CattaneoMindlin::traction(double r) const {
-  const double a = normal_.radius();
-  const double c = stick_radius_;
-  const double distance = std::abs(r);
-  const double sign = std::copysign(1, tangential_load_);
-  if (distance >= c) return share_of_sliding_ == 0 ? 0 : sign * friction_ * normal_.pressure(r);
-  // a² − c² = a² [1 − (1−s)^{2/3}], s the share of sliding, which keeps a small load's digits
-  const double ring = -a * a * std::expm1(2. / 3 * std::log1p(-share_of_sliding_));
-  const double roots =
-      std::sqrt((a - distance) * (a + distance)) + std::sqrt((c - distance) * (c + distance));
-  return sign * friction_ * normal_.peak_pressure() / a * ring / roots;
-}
-
-double CattaneoMindlin::displacement(double tangential_compliance) const {
-  sys::require_positive("tangential_compliance", tangential_compliance);
-  const double bracket = -std::expm1(2. / 3 * std::log1p(-share_of_sliding_));
-  return std::copysign(3 * friction_ * normal_.load() / (16 * normal_.radius()), tangential_load_) *
-         tangential_compliance * bracket;
 }
 
 }  // namespace point_contact

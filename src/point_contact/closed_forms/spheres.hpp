@@ -19,8 +19,6 @@ class Hertz {
   /// δ = κa², a length (Johnson 4.23).
   double approach() const { return relative_curvature_ * radius_ * radius_; }
 
-  double load() const { return load_; }
-
   /// p(r) = p₀ √(1 − r²/a²) for r ≤ a, 0 outside; a stress. Accuracy: a few roundings.
   double pressure(double r) const;
 
@@ -31,74 +29,8 @@ class Hertz {
 
  private:
   double relative_curvature_;
-  double load_;
   double radius_;
   double peak_pressure_;
-};
-
-/// Stresses in cylindrical coordinates r, θ, z about the axis of a point contact; tension positive,
-/// z into the body, σ_zz = −p on the surface.
-struct AxialStress {
-  double rr;
-  double tt;
-  double zz;
-  double rz;
-};
-
-/// The stresses in a body under Hertz's pressure of spheres: Huber (1904), Ann. Phys. 319, 153;
-/// Johnson 3.45 on the axis, §3.4 on the surface.
-///
-/// With u the greater root of r²/(a²+u) + z²/u = 1 and w = z/√u, both free of cancellation:
-///
-///   σ_zz/p₀ = −w³ a²/(u + a²w²)
-///   σ_rr/p₀ =  (1−2ν)/3 S + w³ a²/(u + a²w²) + w [(1−ν)u/(a²+u) + (1+ν)(√u/a) arctan(a/√u) − 2]
-///   σ_θθ/p₀ = −(1−2ν)/3 S − w [2ν + (1−ν)u/(a²+u) − (1+ν)(√u/a) arctan(a/√u)]
-///   σ_rz/p₀ = −r w² a² √u/[(u + a²w²)(a²+u)],   S = (a²/r²)(1 − w³) = a²(1+w+w²)/[(1+w)(a²+u)]
-class Huber {
- public:
-  /// nu is Poisson's ratio of the body, −1 < ν ≤ 1/2, or InvalidQuantity is thrown.
-  Huber(const Hertz& normal, double nu);
-
-  /// At r and depth z ≥ 0, lengths (InvalidQuantity for z < 0). Accuracy: 1e-15 p₀. At the
-  /// contact's edge on the surface the limits along the surface are returned.
-  AxialStress stress(double r, double z) const;
-
- private:
-  Hertz normal_;
-  double nu_;
-};
-
-/// Two spheres in Hertz's contact, then loaded along x by less than friction can bear: partial slip
-/// after Cattaneo (1938) and Mindlin (1949), in closed form (Johnson §7.2, eqs. 7.36–7.43).
-///
-/// A disk r < c sticks, the ring from c to a slips. For bodies of like elastic constants and a load
-/// Q that only grows; the small traction across the load is neglected (exact for ν = 0).
-class CattaneoMindlin {
- public:
-  /// friction μ > 0; tangential_load Q, a force, |Q| < μP, 0 allowed. InvalidQuantity is thrown
-  /// otherwise: from |Q| = μP on the spheres slide.
-  CattaneoMindlin(const Hertz& normal, double friction, double tangential_load);
-
-  /// c = a (1 − |Q|/(μP))^{1/3}, a length; a where Q = 0 (Johnson 7.38).
-  double stick_radius() const { return stick_radius_; }
-
-  /// The shear traction, a stress with the sign of Q, 0 outside (Johnson 7.36, 7.37):
-  ///
-  ///   q(r) = ± (μp₀/a) [√(a²−r²) − √(c²−r²)] = ± (μp₀/a) (a²−c²)/[√(a²−r²) + √(c²−r²)]  for r ≤ c,
-  ///   q(r) = ± μ p(r)                                                              for c < r ≤ a.
-  double traction(double r) const;
-
-  /// The displacement of distant points along x, a length with the sign of Q (Johnson 7.43):
-  ///
-  ///   δ_x = (3μP/(16a)) C [1 − (1 − |Q|/(μP))^{2/3}],  C = (2−ν₁)/G₁ + (2−ν₂)/G₂.
-  double displacement(double tangential_compliance) const;
-
- private:
-  Hertz normal_;
-  double friction_;
-  double tangential_load_;
-  double share_of_sliding_;
-  double stick_radius_;
 };
 
 }  // namespace point_contact

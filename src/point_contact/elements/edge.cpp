@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/elements/patch.hpp"
+#include "point_contact/elements/edge.hpp"
 
 #include <cmath>
 
@@ -33,15 +33,7 @@ EdgeIntegrals edge_integrals(const Vector2& begin, const Vector2& end, const Vec
   const double s2 = to_end.dot(tangent);
   const double inverse = inverse_distance_integral(h, s1, r1, s2, r2);
   const double angular = h == 0 ? 0 : h * inverse;
-  const double rise = (s2 - s1) * ((s2 + s1) / (r2 + r1));
-  return {.tangent = tangent,
-          .normal = normal,
-          .distance = h,
-          .inverse = inverse,
-          .angular = angular,
-          .first_moment = (s2 * r2 - s1 * r1 + h * angular) / 2,
-          .rise = rise,
-          .rise_of_cube = rise * (r2 * r2 + r2 * r1 + r1 * r1) / 3};
+  return {normal, angular, (s2 * r2 - s1 * r1 + h * angular) / 2};
 }
 
 }  // namespace point_contact

@@ -18,10 +18,7 @@ namespace point_contact {
 /// so that it leaves 1e-16·n1 of the pressure.
 class InfluenceOperator {
  public:
-  /// Elements like this one at the nodes of the grid, on whose lattice it stands.
-  InfluenceOperator(const ElementPotential& element, const Grid& grid, const RowTeam& team);
-
-  Eigen::Index size() const { return n1_ * n2_; }
+  InfluenceOperator(Element element, Eigen::Index n1, Eigen::Index n2);
 
   /// Σ T φ at all nodes. The two may be the same.
   void displacements(const Eigen::VectorXd& phi, Eigen::VectorXd& result);
@@ -32,17 +29,12 @@ class InfluenceOperator {
   /// inverse falls with the cube of the distance. Symmetric and positive definite.
   void precondition(const Eigen::VectorXd& residual, Eigen::VectorXd& result);
 
-  /// Bytes that an operator on so many nodes takes.
-  static double bytes(Eigen::Index n1, Eigen::Index n2);
-
  private:
   double eigenvalue(Eigen::Index k1, Eigen::Index k2) const {
     return eigenvalues_[static_cast<std::size_t>(k1 * period2_ + k2)];
   }
 
-  Eigen::Index n1_, n2_;
   Eigen::Index period1_, period2_;
-  const RowTeam& team_;
   PlaneFilter product_, preconditioner_;
   std::vector<double> eigenvalues_;  // at k1 = 0 … period1/2, k2 = 0 … period2−1
 };

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "numerics/fourier.hpp"
-#include "point_contact/solver/row_team.hpp"
 
 namespace point_contact {
 
@@ -17,33 +16,33 @@ namespace point_contact {
 ///
 /// Rows are transformed two at a time, as the real and imaginary parts of complex ones; of columns
 /// only those of wave numbers up to half the period, and both directions with the multiplication in
-/// between while the column lies in the cache. Rows and columns of zeros are neither stored nor
-/// transformed: memory 8 n2 (period1 + 2) bytes.
+/// between while the column is in the cache. Rows and columns of zeros are neither stored nor
+/// transformed: memory 8 n2 (period1 + 2) bytes. FFTW's own transform of a padded plane takes twice
+/// as long.
 class PlaneFilter {
  public:
-  /// period1 ≥ n1 and period2 ≥ n2, even. Rows 1, 3, … of a staggered field lie half a node
-  /// further along the row than the others.
-  PlaneFilter(Eigen::Index n1, Eigen::Index n2, Eigen::Index period1, Eigen::Index period2,
-              bool is_staggered = false);
+  /// period1 ≥ n1 and period2 ≥ n2, even.
+  PlaneFilter(Eigen::Index n1, Eigen::Index n2, Eigen::Index period1, Eigen::Index period2);
 
   /// Multiplies a column of the spectrum, that of the wave number k1 = 0 … period1/2 along the
-  /// rows, at k2 = 0 … period2−1. To be called by several threads at once. To return to the field,
-  /// the spectrum has to be divided by period1·period2 besides.
+  /// rows, at k2 = 0 … period2−1. To return to the field, the spectrum has to be divided by
+  /// period1·period2 besides.
   using Multiplication = std::function<void(Eigen::Index k1, std::span<std::complex<double>>)>;
 
   /// result = field, transformed, multiplied, transformed back. The two may be the same.
   void apply(const Eigen::VectorXd& field, Eigen::VectorXd& result,
-             const Multiplication& multiplication, const RowTeam& team);
+             const Multiplication& multiplication);
 
  private:
-  void transform_rows(const Eigen::VectorXd& field, const RowTeam& team);
-  void filter_columns(const Multiplication& multiplication, const RowTeam& team);
-  void transform_rows_back(Eigen::VectorXd& result, const RowTeam& team) const;
+  void transform_rows(const Eigen::VectorXd& field);
+  void filter_columns(const Multiplication& multiplication);
+  void transform_rows_back(Eigen::VectorXd& result);
 
   Eigen::Index n1_, n2_;
   Eigen::Index n_columns_;  // period1/2 + 1
   numerics::ComplexFourier along_rows_, along_columns_;
-  std::vector<std::complex<double>> half_shift_;  // e^{−πik/period1}, or nothing
+  numerics::ComplexBuffer row_;                   // two rows, as a complex one
+  std::vector<numerics::ComplexBuffer> columns_;  // some columns
   numerics::ComplexBuffer spectrum_;              // n2 rows, an even number of them, of n_columns
 };
 

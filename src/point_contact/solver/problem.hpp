@@ -6,12 +6,10 @@
 #include "point_contact/bodies/profile.hpp"
 #include "point_contact/elements/element.hpp"
 #include "point_contact/solver/grid.hpp"
-#include "point_contact/solver/row_team.hpp"
 
 namespace point_contact {
 
-/// Two bodies to be pressed together, and the elements to find their pressure with. What remains
-/// to be said is how hard: by the load, or by the approach.
+/// Two bodies to be pressed together, and the elements to find their pressure with.
 struct Problem {
   Profile profile;
   double contact_modulus;  ///< E*, a stress
@@ -19,15 +17,12 @@ struct Problem {
   Element element = Element::pyramid;
 };
 
-/// Lengths whose squares are doubles too, with room to add them up.
-inline constexpr double largest_length = 1e100;
+/// h at the nodes. Throws InvalidQuantity unless E* > 0, the grid has no more than max_nodes a side
+/// and lies within a measured surface, and all gaps are less than contact::largest_length.
+Eigen::VectorXd initial_gaps(const Problem& problem);
 
-/// h at the nodes. Throws InvalidQuantity unless E* > 0, there is memory for the grid, it lies
-/// within a measured surface, and there is a body with h < largest_length at one node at least.
-Eigen::VectorXd initial_gaps(const Problem& problem, const RowTeam& team);
-
-/// Throws InvalidQuantity if a contact on n1 × n2 nodes needs more memory than this machine has;
-/// the message says how much.
-void require_memory(Eigen::Index n1, Eigen::Index n2);
+/// Σφ for the load P, φ = c p/(πE*) the load of a node: P/(πE*c), a length. Throws InvalidQuantity
+/// for P ≤ 0 and if it is too large to compute with.
+double total_phi(const Problem& problem, double load);
 
 }  // namespace point_contact

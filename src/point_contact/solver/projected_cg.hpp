@@ -4,21 +4,14 @@
 #include <Eigen/Core>
 
 #include "contact/contact_search.hpp"
-#include "point_contact/solver/grid.hpp"
+#include "contact/solution.hpp"
 #include "point_contact/solver/influence_operator.hpp"
-#include "point_contact/solver/solution.hpp"
 
 namespace point_contact {
 
 using contact::ContactMask;
 
-/// What is held while the pressure is sought.
-enum class Control {
-  load,     ///< Σφ; the approach adapts itself
-  approach  ///< δ; the load adapts itself
-};
-
-/// Element loads, the gap they leave, and which nodes are taken to be in contact.
+/// Nodal loads, the gap they leave, and which nodes are taken to be in contact.
 struct ContactState {
   Eigen::VectorXd phi;  ///< 0 outside contact
   Eigen::VectorXd gap;  ///< Tφ + h − δ
@@ -26,8 +19,8 @@ struct ContactState {
   double approach = 0;  ///< δ
 };
 
-/// Eq. (1a) for nodes whose contact is known: minimises ½φᵀTφ + (h−δ)ᵀφ over the element loads φ of
-/// the nodes in contact, under a given δ or while Σφ stays what it is.
+/// Eq. (1a) for nodes whose contact is known: minimises ½φᵀTφ + (h−δ)ᵀφ over the loads φ of the nodes
+/// in contact while Σφ stays what it is; δ adapts itself.
 ///
 /// Conjugate gradients, preconditioned by M = C⁻¹ − θ diag(w). The inverse C⁻¹ of the circulant
 /// matrix takes the displacements to be zero outside contact and answers a jump at its edge with
@@ -39,7 +32,7 @@ struct ContactState {
 /// contact and outside, and can be looked at after any step.
 class ProjectedCg {
  public:
-  ProjectedCg(InfluenceOperator& influence, const Grid& grid, const RowTeam& team, Control control);
+  explicit ProjectedCg(InfluenceOperator& influence) : influence_(influence) {}
 
   /// Begins for the contact, φ and gap of this state, which stays the one that step() improves.
   void start(ContactState& state);
@@ -56,16 +49,10 @@ class ProjectedCg {
 
  private:
   void precondition_gap();
-  template <class RowSum>
-  double sum(const RowSum& row_sum) const;
-  template <class RowWork>
-  void for_rows(const RowWork& work) const;
 
   InfluenceOperator& influence_;
-  const Grid& grid_;
-  const RowTeam& team_;
-  Control control_;
   ContactState* state_ = nullptr;
+  Eigen::ArrayXd contact_;  // 1 in contact, else 0
   Eigen::VectorXd correction_, direction_, product_;
   Eigen::VectorXd weight_;  // w
   double total_weight_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/solver/methods.hpp"
+#include "point_contact/solver/nested_grids.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,14 +16,11 @@ using Known = std::vector<bool>;
 
 constexpr Index outside = -1;
 
-// The index of the node at di·first + dj·second from node (i, j), if its value is known.
-Index known_at(const Grid& grid, const Known& known, Index i, Index j, Index di, Index dj) {
-  const Index row = j + dj;
-  if (row < 0 || row >= grid.n2) return outside;
-  const Index column = grid.neighbour(i, j, di, dj);
-  if (column < 0 || column >= grid.n1) return outside;
-  const Index index = grid.index(column, row);
-  return known[static_cast<std::size_t>(index)] ? index : outside;
+// The index of node (i, j), if its value is known.
+Index known_at(const Grid& grid, const Known& known, Index i, Index j) {
+  if (i < 0 || i >= grid.n1 || j < 0 || j >= grid.n2) return outside;
+  const Index index = grid.index(i, j);
+  return known[size_of(index)] ? index : outside;
 }
 
 // Continues values by one layer of nodes, each the mean of the straight lines through two known
@@ -34,36 +31,34 @@ void continue_by_a_layer(const Grid& grid, VectorXd& values, Known& known) {
   const Known before = known;
   for (Index j = 0; j < grid.n2; ++j) {
     for (Index i = 0; i < grid.n1; ++i) {
-      if (before[static_cast<std::size_t>(grid.index(i, j))]) continue;
+      if (before[size_of(grid.index(i, j))]) continue;
       double sum = 0;
       int n = 0;
       for (const auto& [di, dj] : directions) {
-        const Index near = known_at(grid, before, i, j, di, dj);
+        const Index near = known_at(grid, before, i + di, j + dj);
         if (near == outside) continue;
-        const Index far = known_at(grid, before, i, j, 2 * di, 2 * dj);
+        const Index far = known_at(grid, before, i + 2 * di, j + 2 * dj);
         if (far == outside) continue;
         sum += 2 * values[near] - values[far];
         ++n;
       }
       if (n == 0) continue;
       values[grid.index(i, j)] = std::min(0.0, sum / n);
-      known[static_cast<std::size_t>(grid.index(i, j))] = true;
+      known[size_of(grid.index(i, j))] = true;
     }
   }
 }
 
-// Where a fine node lies between two coarse ones, along one side of the grids; `shift` is what
-// moves the coarse nodes on.
+// Where a fine node lies between two coarse ones, along one side of the grids.
 struct Position {
   Index lower;
   Index upper;
   double share;  // of the way to the upper one
 };
 
-Position position(double fine_index, Index n_fine, Index n_coarse, double shift = 0) {
-  const double at =
-      (fine_index + 0.5) * static_cast<double>(n_coarse) / static_cast<double>(n_fine) - 0.5 -
-      shift;
+Position position(Index fine_index, Index n_fine, Index n_coarse, double spacings) {
+  const double from_middle = static_cast<double>(fine_index) - static_cast<double>(n_fine - 1) / 2;
+  const double at = from_middle * spacings + static_cast<double>(n_coarse - 1) / 2;
   const double floor = std::floor(at);
   const auto lower = static_cast<Index>(floor);
   return {std::clamp<Index>(lower, 0, n_coarse - 1), std::clamp<Index>(lower + 1, 0, n_coarse - 1),
@@ -75,22 +70,22 @@ Position position(double fine_index, Index n_fine, Index n_coarse, double shift 
 VectorXd prolongate(const Grid& coarse, const VectorXd& pressure, const Grid& fine) {
   // p², continued by the two layers that fine nodes near the edge lie between
   VectorXd squares = pressure.array().square();
-  Known known(static_cast<std::size_t>(coarse.size()));
-  for (Index i = 0; i < coarse.size(); ++i) known[static_cast<std::size_t>(i)] = pressure[i] > 0;
+  Known known(size_of(coarse.size()));
+  for (Index i = 0; i < coarse.size(); ++i) known[size_of(i)] = pressure[i] > 0;
   const double far_outside = -squares.maxCoeff();
   continue_by_a_layer(coarse, squares, known);
   continue_by_a_layer(coarse, squares, known);
   for (Index i = 0; i < coarse.size(); ++i) {
-    if (!known[static_cast<std::size_t>(i)]) squares[i] = far_outside;
+    if (!known[size_of(i)]) squares[i] = far_outside;
   }
 
+  const double spacings = fine.spacing / coarse.spacing;
   VectorXd result(fine.size());
   for (Index j = 0; j < fine.n2; ++j) {
-    const Position y = position(static_cast<double>(j), fine.n2, coarse.n2);
+    const Position y = position(j, fine.n2, coarse.n2, spacings);
     for (Index i = 0; i < fine.n1; ++i) {
-      const double along = static_cast<double>(i) + fine.shift(j);
+      const Position x = position(i, fine.n1, coarse.n1, spacings);
       const auto along_x = [&](Index row) {
-        const Position x = position(along, fine.n1, coarse.n1, coarse.shift(row));
         return (1 - x.share) * squares[coarse.index(x.lower, row)] +
                x.share * squares[coarse.index(x.upper, row)];
       };

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_contact/solver/solution.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -12,30 +16,20 @@ namespace point_contact {
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
 
-// ⟨s sᵀ⟩ of one element about its node: each vector e that it is smeared along adds eeᵀ/12.
-Eigen::Matrix2d own_second_moment(Element element, const Lattice& lattice) {
-  const Vector2& a = lattice.first;
-  const Vector2& b = lattice.second;
-  const Eigen::Matrix2d cell = (a * a.transpose() + b * b.transpose()) / 12;
-  switch (element) {
-    case Element::point:
-      return Eigen::Matrix2d::Zero();
-    case Element::uniform:
-      return cell;
-    case Element::bilinear:
-      return 2 * cell;
-    case Element::pyramid:
-      break;
-  }
-  return cell + (b - a) * (b - a).transpose() / 12;
+// ⟨s sᵀ⟩ of one element about its node, in units of c²: each vector e that it is smeared along adds
+// eeᵀ/12.
+Eigen::Matrix2d own_second_moment(Element element) {
+  const Eigen::Matrix2d cell = Eigen::Matrix2d::Identity() / 12;
+  if (element == Element::uniform) return cell;
+  const Vector2 diagonal(-1, 1);
+  return cell + diagonal * diagonal.transpose() / 12;
 }
 
-// ⟨x xᵀ⟩ about the mean of a density at the nodes.
+// ⟨x xᵀ⟩ about the mean of a density at the nodes, in units of c², which very small contacts need.
 template <class Density>
 Eigen::Matrix2d second_moment(const Density& density, const Grid& grid) {
-  // In units of the spacing, which very small contacts need.
-  const double scale = grid.spacing();
   double total = 0;
   Vector2 first = Vector2::Zero();
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
@@ -43,81 +37,125 @@ Eigen::Matrix2d second_moment(const Density& density, const Grid& grid) {
     for (Index i = 0; i < grid.n1; ++i) {
       const double p = density(grid.index(i, j));
       if (p == 0) continue;
-      const Vector2 x = (grid.node(i, j) - grid.centre) / scale;
+      const Vector2 x = grid.node(i, j) / grid.spacing;
       total += p;
       first += p * x;
       second += p * x * x.transpose();
     }
   }
   const Vector2 mean = first / total;
-  return scale * scale * (second / total - mean * mean.transpose());
+  return second / total - mean * mean.transpose();
 }
 
-// The roots of `factor` times the eigenvalues of a symmetric matrix, the greater first.
-Vector2 axes_of(const Eigen::Matrix2d& moment, double factor) {
+// The roots of the eigenvalues of a symmetric matrix, the greater first.
+Vector2 roots_of_eigenvalues(const Eigen::Matrix2d& moment) {
   const double half_trace = moment.trace() / 2;
   const double spread = std::hypot((moment(0, 0) - moment(1, 1)) / 2, moment(0, 1));
-  return {std::sqrt(factor * (half_trace + spread)), std::sqrt(factor * (half_trace - spread))};
+  return {std::sqrt(half_trace + spread), std::sqrt(half_trace - spread)};
+}
+
+void require_free_ends(const Solution& solution) {
+  const Grid& grid = solution.grid;
+  bool is_free = true;
+  for (Index i = 0; i < grid.n1; ++i) {
+    is_free = is_free && solution.pressure[grid.index(i, 0)] == 0 &&
+              solution.pressure[grid.index(i, grid.n2 - 1)] == 0;
+  }
+  for (Index j = 0; j < grid.n2; ++j) {
+    is_free = is_free && solution.pressure[grid.index(0, j)] == 0 &&
+              solution.pressure[grid.index(grid.n1 - 1, j)] == 0;
+  }
+  if (is_free) return;
+  const bool is_measured = std::isfinite(solution.profile.half_sides().maxCoeff());
+  throw sys::InvalidQuantity("domain width", static_cast<double>(grid.n1) * grid.spacing,
+                             is_measured ? "wider: the contact reaches the end of the grid, which "
+                                           "must lie within the measured surface"
+                                         : "wider: the contact reaches the end of the grid");
+}
+
+constexpr std::array<std::pair<Index, Index>, 6> neighbours = {
+    {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {-1, 1}, {1, -1}}};
+
+// Goes through the region of one node in contact, and takes its nodes from `to_visit`.
+Region region_around(const Solution& solution, Index first, std::vector<bool>& to_visit) {
+  const Grid& grid = solution.grid;
+  Region region{Vector2::Zero(), 0, 0, 0};
+  std::vector<Index> open{first};
+  to_visit[size_of(first)] = false;
+  while (!open.empty()) {
+    const Index node = open.back();
+    open.pop_back();
+    const Index i = node % grid.n1;
+    const Index j = node / grid.n1;
+    region.load += solution.pressure[node];
+    region.centre += solution.pressure[node] * grid.node(i, j);
+    ++region.n_nodes;
+    for (const auto& [di, dj] : neighbours) {
+      if (i + di < 0 || i + di >= grid.n1 || j + dj < 0 || j + dj >= grid.n2) continue;
+      const Index next = grid.index(i + di, j + dj);
+      if (!to_visit[size_of(next)]) continue;
+      to_visit[size_of(next)] = false;
+      open.push_back(next);
+    }
+  }
+  region.centre /= region.load;
+  region.area = static_cast<double>(region.n_nodes) * grid.cell_area();
+  region.load *= grid.cell_area();
+  return region;
 }
 
 }  // namespace
 
-Eigen::Index Solution::n_in_contact() const {
-  return (pressure.array() > 0).count();
-}
-
-double Solution::load() const {
-  return grid.lattice.cell_area() * pressure.sum();
-}
-
-double Solution::peak_pressure() const {
-  return pressure.maxCoeff();
-}
-
-double Solution::contact_area() const {
-  return grid.lattice.cell_area() * static_cast<double>(n_in_contact());
+contact::Resolution Solution::resolution() const {
+  const Eigen::Map<const Eigen::ArrayXXd> p(pressure.data(), grid.n1, grid.n2);
+  const auto n_columns = static_cast<double>((p > 0).rowwise().any().count());
+  const auto n_rows = static_cast<double>((p > 0).colwise().any().count());
+  const Index n = n_in_contact();
+  const double diameter = 2 * std::sqrt(static_cast<double>(n) / std::numbers::pi);
+  const Index longer = std::max(grid.n1, grid.n2);
+  return {n, std::min({n_columns, n_rows, diameter}), longer,
+          static_cast<double>(longer) * grid.spacing};
 }
 
 Vector2 Solution::semi_axes() const {
   // In units of the peak, which very small loads need.
   const double peak = peak_pressure();
-  constexpr double of_a_hertzian_pressure = 5;
-  return axes_of(second_moment([&](Index node) { return pressure[node] / peak; }, grid) +
-                     own_second_moment(element, grid.lattice),
-                 of_a_hertzian_pressure);
+  const auto density = [&](Index node) { return pressure[node] / peak; };
+  const double of_a_hertzian_pressure = std::sqrt(5.0);
+  return grid.spacing * of_a_hertzian_pressure *
+         roots_of_eigenvalues(second_moment(density, grid) + own_second_moment(element));
 }
 
 Vector2 Solution::area_semi_axes() const {
-  constexpr double of_a_uniform_density = 4;
-  return axes_of(second_moment([&](Index node) { return pressure[node] > 0 ? 1 : 0; }, grid) +
-                     own_second_moment(Element::uniform, grid.lattice),
-                 of_a_uniform_density);
+  const auto density = [&](Index node) { return pressure[node] > 0 ? 1.0 : 0.0; };
+  constexpr double of_a_uniform_density = 2;
+  return grid.spacing * of_a_uniform_density *
+         roots_of_eigenvalues(second_moment(density, grid) + own_second_moment(Element::uniform));
 }
 
-double total_phi(const Problem& problem, double load) {
-  sys::require_positive("load", load);
-  const double total = load / (std::numbers::pi * problem.contact_modulus * problem.grid.spacing());
-  if (!(total < largest_length)) {
-    throw sys::InvalidQuantity("load", load, "less: its square must be a double");
-  }
-  return total;
-}
-
-Solution to_solution(const Problem& problem, double load, ElementLoads loads) {
+Solution to_solution(const Problem& problem, double load, NodalLoads loads) {
   const double pressure_per_phi =
-      std::numbers::pi * problem.contact_modulus / problem.grid.spacing();
-  loads.phi *= pressure_per_phi;
-  Solution solution{.grid = problem.grid,
-                    .element = problem.element,
-                    .pressure = std::move(loads.phi),
-                    .gap = std::move(loads.gap),
-                    .approach = loads.approach,
-                    .work = loads.work,
-                    .residuals = {}};
+      std::numbers::pi * problem.contact_modulus / problem.grid.spacing;
+  Solution solution{{problem}, pressure_per_phi * loads.phi, std::move(loads.gap), loads.approach,
+                    loads.work, {}};
+  require_free_ends(solution);
+  contact::require_resolved(solution.resolution());
   solution.residuals = contact::residuals_of_gaps(solution.pressure, solution.gap);
   solution.residuals.pressure = loads.error * solution.peak_pressure();
   solution.residuals.load = std::abs(solution.load() - load);
   return solution;
+}
+
+std::vector<Region> regions(const Solution& solution) {
+  const Index n = solution.pressure.size();
+  std::vector<bool> to_visit(size_of(n));
+  for (Index node = 0; node < n; ++node) to_visit[size_of(node)] = solution.pressure[node] > 0;
+  std::vector<Region> found;
+  for (Index node = 0; node < n; ++node) {
+    if (to_visit[size_of(node)]) found.push_back(region_around(solution, node, to_visit));
+  }
+  std::ranges::stable_sort(found, std::greater<>(), &Region::load);
+  return found;
 }
 
 }  // namespace point_contact

@@ -4,35 +4,35 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "contact/limits.hpp"
 #include "contact/solution.hpp"
-#include "elasticity/material.hpp"
-#include "numerics/unstructured_grid.hpp"
-#include "point_contact/elements/interior.hpp"
 #include "point_contact/solver/problem.hpp"
 
 namespace point_contact {
 
-/// Pressures at the nodes of a grid, and what follows from them. No function is inline, for the
-/// reason that Grid::node() has.
-struct Solution {
-  Grid grid;
-  Element element;
+/// A problem with the pressures at its nodes, and what follows from them.
+struct Solution : Problem {
   Eigen::VectorXd pressure;  ///< p at the nodes, a stress; 0 outside contact
   Eigen::VectorXd gap;       ///< u_z1 + u_z2 + h − δ at the nodes, a length
-  double approach;           ///< δ of points far away in the two bodies, a length
-  contact::Work work;
-  contact::Residuals residuals;
+  double approach = 0;       ///< δ of points far away in the two bodies, a length
+  contact::Work work = {};
+  contact::Residuals residuals = {};
 
-  Eigen::Index n_in_contact() const;
+  Eigen::Index n_in_contact() const { return (pressure.array() > 0).count(); }
+
+  /// How the contact lies on the grid, for contact::resolution_warning(). Across are the rows or
+  /// columns in contact, whichever are fewer, or the diameter of a circle of the contact's area if
+  /// that is less.
+  contact::Resolution resolution() const;
 
   /// The resultant, cell area times Σp, a force.
-  double load() const;
+  double load() const { return grid.cell_area() * pressure.sum(); }
 
   /// The greatest of the nodal pressures.
-  double peak_pressure() const;
+  double peak_pressure() const { return pressure.maxCoeff(); }
 
   /// The area of the cells of the nodes in contact.
-  double contact_area() const;
+  double contact_area() const { return grid.cell_area() * static_cast<double>(n_in_contact()); }
 
   /// The semi-axes a ≥ b of the contact from the pressure's second moments M, a² and b² = 5 times
   /// the eigenvalues of M: right for the pressure of ellipsoids. The elements' own moments are
@@ -44,8 +44,8 @@ struct Solution {
   Vector2 area_semi_axes() const;
 };
 
-/// What a method finds: element loads φ = c p/(πE*) and gaps at the nodes, lengths.
-struct ElementLoads {
+/// What a method finds: nodal loads φ = c p/(πE*) and gaps at the nodes, lengths.
+struct NodalLoads {
   Eigen::VectorXd phi;
   Eigen::VectorXd gap;
   double approach = 0;
@@ -53,11 +53,10 @@ struct ElementLoads {
   contact::Work work;
 };
 
-/// Σφ for the load P: P/(πE*c), a length.
-double total_phi(const Problem& problem, double load);
-
-/// The loads as pressures, with their residuals. `load` is what was asked for, or what was found.
-Solution to_solution(const Problem& problem, double load, ElementLoads loads);
+/// The same as pressures, with the residuals under the load P. Throws InvalidQuantity for a contact
+/// that reaches an end of the grid, although the bodies go on beyond, or that is not resolved
+/// (contact::require_resolved).
+Solution to_solution(const Problem& problem, double load, NodalLoads loads);
 
 /// A part of the surface in contact whose nodes are neighbours of one another.
 struct Region {
@@ -67,34 +66,8 @@ struct Region {
   Eigen::Index n_nodes;
 };
 
-/// The regions in contact, those that carry most first. Neighbours of a node are the six at
-/// ±first, ±second and ±(second − first), the corners of a pyramid's hexagon.
+/// The regions in contact, those that carry most first. Neighbours of a node are the six corners of
+/// a pyramid's hexagon.
 std::vector<Region> regions(const Solution& solution);
-
-/// A solution as ParaView can show it: the nodes at z = 0; triangles between them for pyramids and
-/// staggered rows, else quadrilaterals; fields `pressure` and `gap`, and `shear` if there is one at
-/// every node.
-numerics::UnstructuredGrid node_grid(const Solution& solution, const Eigen::VectorXd& shear = {});
-
-/// The displacements and stresses in the body beneath, of this material, at a depth z > 0 or
-/// InvalidQuantity is thrown: the sum of interior_field() over what the elements' pressure is made
-/// of, triangles between the nodes (pyramids), rectangles between them (bilinear) or the nodes'
-/// cells (uniform), or of field_of_force() over the nodes (point). Cost: 1 µs for each triangle in
-/// contact. Accuracy: the pressure's own; rounding grows with the square of the distance in
-/// spacings, to 1e-10 of the field at a thousand.
-InteriorField field_beneath(const Solution& solution, const elasticity::Material& material,
-                            const Eigen::Vector3d& at);
-
-/// The displacement (u_x, u_y, u_z) of the surface of the body of this material, by the same
-/// pressure: the sum of surface_displacement(). InvalidQuantity is thrown at the nodes of forces,
-/// where it is infinite.
-Eigen::Vector3d displacement_of_surface(const Solution& solution,
-                                        const elasticity::Material& material, const Vector2& at);
-
-/// ∇(u_z1 + u_z2) at a point of the surface, by the same pressure: the sum of surface_gradient().
-/// Throws InvalidQuantity where an element's own gradient is not finite: at the nodes of forces, on
-/// the edges between cells, and, though the sum would be finite there, on the edges of the
-/// triangles and rectangles of the others.
-Vector2 slope_of_surface(const Solution& solution, double contact_modulus, const Vector2& at);
 
 }  // namespace point_contact

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/limits.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "system/require.hpp"
+
+namespace contact {
+namespace {
+
+// With so many nodes across, errors of second order are below half a per cent.
+constexpr double enough_across = 20;
+
+}  // namespace
+
+double require_tolerance(double tolerance, double least) {
+  constexpr double too_large = 0.01;
+  if (!(tolerance >= least && tolerance <= too_large)) {
+    throw sys::InvalidQuantity(
+        "tolerance", tolerance,
+        fmt::format("from {}, which is rounding, to {}", least, too_large));
+  }
+  return tolerance;
+}
+
+void require_resolved(const Resolution& resolution) {
+  if (resolution.n_in_contact >= least_nodes_in_contact) return;
+  const double finer = enough_across / std::max(resolution.n_across, 1.0);
+  throw sys::InvalidQuantity(
+      "number of nodes in contact", static_cast<double>(resolution.n_in_contact),
+      fmt::format("{} or more: take at least {:.0f} nodes in place of {}, or a domain of {:.2g} or "
+                  "less",
+                  least_nodes_in_contact, finer * static_cast<double>(resolution.n_nodes),
+                  resolution.n_nodes, resolution.domain / finer));
+}
+
+double relative_error(const Resolution& resolution) {
+  constexpr double of_second_order = 1.6;
+  return of_second_order / (resolution.n_across * resolution.n_across);
+}
+
+std::string resolution_warning(const Resolution& resolution) {
+  if (resolution.n_across >= enough_across) return "";
+  return fmt::format(
+      "{:.2g} nodes lie across the contact: its width and its greatest pressure are right to about "
+      "{:.1g} %; more nodes or a narrower domain make them better",
+      resolution.n_across, 100 * relative_error(resolution));
+}
+
+}  // namespace contact

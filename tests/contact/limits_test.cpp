@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/limits.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+
+#include "contact/solution.hpp"
+#include "refused.hpp"
+
+BOOST_AUTO_TEST_SUITE(limits_test)
+
+using contact::require_resolved;
+using contact::require_tolerance;
+using contact::resolution_warning;
+
+BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_refused_with_nodes_and_domain_that_would_do) {
+  check_refused({
+      {"number of nodes in contact = 4: must be 8 or more: take at least 500 nodes in place of 100, "
+       "or a domain of 0.4 or less",
+       [] { require_resolved({4, 4, 100, 2}); }},
+      {"number of nodes in contact = 0", [] { require_resolved({0, 0, 100, 2}); }},
+      {"tolerance = 1e-14: must be from 1e-13, which is rounding, to 0.01",
+       [] { require_tolerance(1e-14, 1e-13); }},
+      {"tolerance = nan", [] { require_tolerance(NAN, 1e-13); }},
+      {"tolerance = inf",
+       [] { require_tolerance(std::numeric_limits<double>::infinity(), 1e-13); }},
+  });
+  BOOST_CHECK_NO_THROW(require_resolved({8, 8, 100, 2}));
+  BOOST_TEST(require_tolerance(0.01, 1e-13) == 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(a_coarse_contact_is_warned_of_with_the_size_of_the_error) {
+  BOOST_TEST(resolution_warning({20, 20, 100, 2}).empty());
+  const std::string warning = resolution_warning({12, 12, 100, 2});
+  BOOST_TEST((warning.find("12 nodes lie across the contact") != warning.npos));
+  BOOST_TEST((warning.find("about 1 %") != warning.npos));
+}
+
+BOOST_AUTO_TEST_CASE(residuals_are_the_greatest_gap_in_contact_and_penetration_outside) {
+  const Eigen::Vector4d pressure(0, 1, 2, 0);
+  const Eigen::Vector4d gap(-0.2, 0.1, -0.3, 7);
+  const contact::Residuals residuals = contact::residuals_of_gaps(pressure, gap);
+  BOOST_TEST(residuals.gap == 0.3);
+  BOOST_TEST(residuals.separation == 0.2);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
