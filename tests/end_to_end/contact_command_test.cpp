@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(a_roller_on_a_plane_needs_a_radius_and_a_load_and_agrees_wi
   BOOST_TEST(result.at("x").size() == 401U);
   BOOST_TEST(result.at("contact_regions").size() == 1U);
   const std::string text = output_of(roller);
-  BOOST_TEST(text.find("assumed (steel): E1 = 210000 MPa, nu1 = 0.3, E2 =") != std::string::npos);
+  BOOST_TEST(text.find("assumed: E1 = 210000 MPa, nu1 = 0.3, E2 =") != std::string::npos);
   BOOST_TEST(text.find("0.1050464") != std::string::npos);
   BOOST_TEST(text.find(" %") != std::string::npos);
 }
