@@ -96,7 +96,7 @@ ExitCode run(const BlockOptions& options) {
   const block::Rectangle rectangle(sizes[0], sizes[1]);
   const Support sides = options.sides.choice_or(
       of_case(from_case, &BlockCase::sides).value_or(Support::clamped),
-      {{"clamped", Support::clamped}, {"roller", Support::free}, {"free", Support::free}});
+      {{"clamped", Support::clamped}, {"roller", Support::roller}, {"free", Support::free}});
   block::Discretization discretization;
   if (from_case) discretization = from_case->discretization;
   discretization.order =
