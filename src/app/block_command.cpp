@@ -1,173 +1,150 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/format.h>
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
+#include <cmath>
 
+#include "app/bodies.hpp"
 #include "app/commands.hpp"
-#include "app/load_choices.hpp"
+#include "app/loads.hpp"
+#include "app/output.hpp"
 #include "block/analysis.hpp"
+#include "block/measures.hpp"
 #include "block/rectangle.hpp"
 #include "command_line/stage.hpp"
-#include "system/require.hpp"
+#include "system/error.hpp"
 
 namespace app {
 namespace {
 
 using block::Support;
+using parameters::BlockCase;
+using parameters::HalfSpaceCase;
 
 struct BlockOptions {
-  explicit BlockOptions(CLI::App& command)
-      : width(command, "--width", "Width of the block (default: the case's)"),
-        height(command, "--height", "Height of the block (default: the case's)"),
-        order(command, "--order",
-              "Polynomial order of the elements, 2 to 10 (default: the case's)"),
-        refine(command, "--refine", "Level of refinement, 0 to 6 (default: the case's)"),
-        load(command, "--load", "triangular", "Shape of the load, with the case's peak and width",
-             choices_of(wide_load_choices())) {
-    add_required_text(command, "--case", case_file, "FILE",
-                      "Case file; flags override what it says");
-    add_choice(command, "--sides", sides, {"", "clamped", "roller", "free"},
-               "How left and right are held (default: the case's)");
-    output.add_to(command);
-  }
-
-  NumberOption width, height, order, refine;
-  ChoiceOption load;
-  std::string case_file, sides;
-  Output output;
+  CLI::App& command;
+  LoadFlags load{command, "--shape,--load", Shapes::without_input};
+  MaterialFlags material{command};
+  Flag width{command, "--width", "LENGTH", "Block", "Width; the load is in the middle of the top"};
+  Flag height{command, "--height", "LENGTH", "Block", "Height"};
+  Flag sides{command, "--sides", "clamped|roller|free", "Block",
+             "How left and right are held; the bottom is clamped [clamped, or the case's]"};
+  Flag x{command, "--x", "LENGTH", "Block",
+         "Points of the top, whose displacements are measure1, measure2 and so on [the case's]"};
+  Flag order{command, "--order", "COUNT", "Solution",
+             "Polynomial order of the elements, 2 to 10 [7, or the case's]"};
+  Flag refine{command, "--refine", "COUNT", "Solution",
+              "Level of refinement, 0 to 6 [1, or the case's]"};
+  Output output{command, "[half_space] and [block]"};
 };
-
-Support sides_of(const std::string& name, Support from_case) {
-  if (name == "clamped") return Support::clamped;
-  if (name == "roller") return Support::roller;
-  return name == "free" ? Support::free : from_case;
-}
-
-// Everything that one run of the command computes.
-struct Problem {
-  parameters::Case from_file;
-  block::Rectangle rectangle;
-  block::Discretization discretization;
-  elasticity::Load load;
-  block::Supports supports;
-};
-
-Problem problem_of(const BlockOptions& options) {
-  parameters::Case c = parameters::read_case(options.case_file);
-  if (!c.block) throw sys::InputError(options.case_file + ": has no [block]");
-  block::Discretization discretization = c.block->discretization;
-  if (const auto order = options.order.integer()) discretization.order = static_cast<int>(*order);
-  if (const auto refine = options.refine.integer())
-    discretization.refine = static_cast<int>(*refine);
-  const block::Rectangle rectangle(options.width.number_or(c.block->rectangle.width()),
-                                   options.height.number_or(c.block->rectangle.height()));
-  elasticity::Load load = wide_load_choices()[options.load.row()]
-                              .make(options.load, numbers_of(c.half_space.load))
-                              .load;
-  const block::Supports supports = block::with_sides(sides_of(options.sides, c.block->sides));
-  return {std::move(c), rectangle, discretization, std::move(load), supports};
-}
-
-using Measures = std::vector<block::MeasureEstimate>;
-
-struct Seconds {
-  double elements, assembly, factorization, solution;
-};
-
-nlohmann::ordered_json details_of(const block::Analysis& analysis,
-                                  const block::SupportedBlock& supported, const Seconds& seconds) {
-  return {{"order", analysis.fine()->mesh().order()},
-          {"elements", analysis.fine()->mesh().n_elements()},
-          {"unknowns", supported.fine().n_unknowns()},
-          {"condensed_unknowns", supported.fine().n_condensed_unknowns()},
-          {"seconds",
-           {{"elements", seconds.elements},
-            {"assembly", seconds.assembly},
-            {"factorization", seconds.factorization},
-            {"solution", seconds.solution}}}};
-}
 
 std::string unit_of(const std::string& measure, const config::UnitSystem& units) {
   if (measure.starts_with("max_disp") || measure.starts_with("measure")) return units.length;
   if (measure.starts_with("resultant")) return units.line_load;
-  if (measure.starts_with("max_rot")) return units.unit(config::Dimension::none);
   return measure == "strain_energy" ? units.force : units.stress;
 }
 
-Table table_of(const Measures& measures, const config::UnitSystem& units) {
-  Column names{.key = "measure", .heads = {"measure"}, .width = -24};
-  Column values{.key = "value", .heads = {"value"}, .width = 18, .format = "{:.9e}"};
-  Column errors{.key = "abs_error", .heads = {"error"}, .width = 11, .format = "{:.1e}"};
-  Column of_units{.key = "", .heads = {"  unit"}};
-  for (const block::MeasureEstimate& m : measures) {
-    names.texts.push_back(m.name);
-    values.numbers.push_back(m.value.value);
-    errors.numbers.push_back(m.value.abs_error);
-    of_units.texts.push_back("  " + unit_of(m.name, units));
-  }
-  return {{names, values, errors, of_units}, InJson::by_text, "measures"};
+// The value with as many digits as its error leaves.
+std::string earned(const numerics::Estimate& estimate) {
+  constexpr int most = 10;
+  const int digits = earned_digits(estimate.abs_error / std::abs(estimate.value), most);
+  return fmt::format("{:.{}g}", estimate.value, digits);
 }
 
-std::string notes_of(const block::SupportedBlock& supported, const Seconds& seconds) {
-  return fmt::format(
-      "{} unknowns, {} after condensation\n"
-      "seconds: elements {:.3f}, assembly {:.3f}, factorisation {:.3f}, solution {:.3f}\n",
-      supported.fine().n_unknowns(), supported.fine().n_condensed_unknowns(), seconds.elements,
-      seconds.assembly, seconds.factorization, seconds.solution);
-}
-
-// u_z along the loaded side, z = 0, at the points of its elements.
-literate::Figure block_figure(const block::Solution& solution, const config::UnitSystem& units) {
-  const block::Mesh& mesh = solution.model().mesh();
-  const Eigen::VectorXd points = Eigen::VectorXd::LinSpaced(mesh.order() + 1, -1, 1);
-  std::map<double, double> displacements;
-  for (Eigen::Index e = 0; e < mesh.n_elements(); ++e) {
-    for (const block::PointState& state : solution.sample(e, points)) {
-      if (state.position.y() == 0) displacements[state.position.x()] = state.displacement.y();
-    }
+void add_measures(Result& result, const std::vector<block::MeasureEstimate>& measures,
+                  const config::UnitSystem& units) {
+  Column names{.key = "measure", .heads = {"measure"}};
+  Column values{.key = "value", .heads = {"value"}};
+  Column errors{.key = "abs_error", .heads = {"error"}};
+  Column of_units{.key = "unit", .heads = {"unit"}};
+  for (const auto& [name, estimate] : measures) {
+    const std::string unit = unit_of(name, units);
+    require_finite(name, estimate.value);
+    names.cells.push_back(name);
+    values.numbers.push_back(estimate.value + 0.0);
+    values.cells.push_back(earned(estimate));
+    errors.numbers.push_back(estimate.abs_error);
+    errors.cells.push_back(fmt::format("{:.2g}", estimate.abs_error));
+    of_units.cells.push_back(unit);
+    result.details["measures"][name] = {
+        {"value", values.numbers.back()}, {"abs_error", estimate.abs_error}, {"unit", unit}};
   }
-  std::vector<double> x, u;
-  for (const auto& [at, displacement] : displacements) {
-    x.push_back(at);
-    u.push_back(displacement);
-  }
-  return {.width_cm = 14,
-          .height_cm = 9,
-          .data = {{"surface", {{"x", x}, {"u_z", u}}}},
-          .texts = {{"unit", units.length}}};
+  result.table = {names, values, errors, of_units};
 }
 
 ExitCode run(const BlockOptions& options) {
-  const Problem problem = problem_of(options);
-  const config::UnitSystem units = options.output.units(problem.from_file);
-  const block::Analysis analysis(problem.rectangle, problem.from_file.half_space.material,
-                                 {problem.load}, problem.discretization);
-  const block::SupportedBlock supported = analysis.on(problem.supports);
-  const Stopwatch stopwatch;
-  const block::RefinedSolution solution = supported.solve(problem.load);
-  const double solving = stopwatch.seconds();
-  const Seconds seconds = {analysis.fine()->seconds(), supported.fine().assembly_seconds(),
-                           supported.fine().factorization_seconds(), solving};
-  block::MeasureOptions measure_options;
-  measure_options.surface_points = problem.from_file.half_space.points;
-  const Measures measures = solution.measures(measure_options);
-  const Result result{.details = details_of(analysis, supported, seconds),
-                      .tables = {table_of(measures, units)},
-                      .notes = notes_of(supported, seconds),
-                      .script = "block",
-                      .figure = [&] { return block_figure(solution.fine(), units); }};
-  return options.output.print(result);
+  const Given given = options.output.given();
+  const config::UnitSystem& units = given.units;
+  std::optional<HalfSpaceCase> half_space;
+  std::optional<BlockCase> from_case;
+  if (given.file) half_space = given.file->half_space();
+  if (given.file) from_case = given.file->block();
+  std::vector<std::string> assumed;
+  const Material material = material_of(
+      {&options.material}, of_case(half_space, &HalfSpaceCase::material), units.stress, assumed);
+  const ChosenLoad load = options.load.read(of_case(half_space, &HalfSpaceCase::load), units);
+  const auto rectangle_of_case = of_case(from_case, &BlockCase::rectangle);
+  const auto size_of_case = [&](double (block::Rectangle::*size)() const) {
+    return rectangle_of_case ? std::optional(((*rectangle_of_case).*size)()) : std::nullopt;
+  };
+  const auto sizes =
+      read({{options.width, units.length, size_of_case(&block::Rectangle::width)},
+            {options.height, units.length, size_of_case(&block::Rectangle::height)}});
+  if (sizes[0] < 2 * load.reach()) {
+    throw sys::InputError(fmt::format("--width = {}: must be at least {} {}, the width of the load",
+                                      rounded(sizes[0]), rounded(2 * load.reach()), units.length));
+  }
+  const block::Rectangle rectangle(sizes[0], sizes[1]);
+  const Support sides = options.sides.choice_or(
+      of_case(from_case, &BlockCase::sides).value_or(Support::clamped),
+      {{"clamped", Support::clamped}, {"roller", Support::roller}, {"free", Support::free}});
+  block::Discretization discretization;
+  if (from_case) discretization = from_case->discretization;
+  discretization.order =
+      static_cast<int>(options.order.count(2, 10).value_or(discretization.order));
+  discretization.refine =
+      static_cast<int>(options.refine.count(0, 6).value_or(discretization.refine));
+  std::vector<double> points = options.x.quantities(units.length);
+  if (points.empty() && half_space) points = half_space->points;
+
+  const command_line::Stopwatch stopwatch;
+  const block::Analysis analysis(rectangle, material, {load.load}, discretization);
+  const block::SupportedBlock supported = analysis.on(block::with_sides(sides));
+  const block::RefinedSolution solution = supported.solve(load.load);
+  const auto measures = solution.measures({.surface_points = points});
+  Result result{.table_in_json = InJson::nothing, .notes = note_of(assumed)};
+  result.details = {{"order", discretization.order},
+                    {"elements", analysis.fine()->mesh().n_elements()},
+                    {"unknowns", supported.fine().n_unknowns()},
+                    {"seconds", stopwatch.seconds()}};
+  result.notes.push_back(
+      fmt::format("{} unknowns; x along the top, y upwards", supported.fine().n_unknowns()));
+  add_measures(result, measures, units);
+  return options.output.print(result, [&] {
+    return Picture{fmt::format("x ({})", units.length),
+                   fmt::format("u_z ({})", units.length),
+                   {line("u_z of the top", rectangle.left(), rectangle.right(),
+                         [&](double x) { return solution.displacement_z(x, 0).value; })}};
+  });
 }
 
 }  // namespace
 
 void add_block_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<BlockOptions>(program, "block",
-                            "The finite block of Appendix 2 by plane-strain finite elements",
-                            exit_code, run);
+  const CommandText text{
+      "block",
+      R"(A finite block under a strip load or a triangular load, by finite elements in plane strain.
+Displacements, strain energy and the greatest stresses have the names of Ruggiero's Appendix 2, and
+an error each.)",
+      R"(  A steel block of 50 by 25 mm on a rigid base, 100 MPa on |x| <= 1 mm:
+    halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \
+      --half-width 1 --sides free
+  The same on rollers, with displacements at points of the top, drawn below:
+    halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \
+      --half-width 1 --sides roller --x 0:10:1 --plot -
+  The block of a case file, for programs:
+    halfspace block --case report/ruggiero2001.toml --format json
+)"};
+  add_command<BlockOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

@@ -1,58 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bodies.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include "config/units.hpp"
+#include "system/error.hpp"
 
 namespace app {
 
-GivenBodies::GivenBodies(const std::optional<parameters::Case>& from_file) {
-  if (!from_file) return;
-  body1 = from_file->contact.body1;
-  body2 = from_file->contact.body2;
+Material material_of(const std::vector<const MaterialFlags*>& flags,
+                     const std::optional<Material>& from_case, const std::string& unit,
+                     std::vector<std::string>& assumed) {
+  std::optional<double> e, nu;
+  for (const MaterialFlags* of : flags) {
+    if (!e) e = of->young.positive(unit);
+    if (nu) continue;
+    nu = of->poisson.quantity("1");
+    if (nu && !(*nu > -1 && *nu < 0.5)) {
+      of->poisson.refuse("must be between -1 and 0.5, both excluded");
+    }
+  }
+  if (!e && from_case) e = from_case->young();
+  if (!nu && from_case) nu = from_case->poisson();
+  const std::string& number = flags.front()->number;
+  if (!e) {
+    e = config::converted(210, "GPa", unit);
+    assumed.push_back(fmt::format("E{} = {} {}", number, rounded(*e), unit));
+  }
+  if (!nu) {
+    nu = 0.3;
+    assumed.push_back(fmt::format("nu{} = {}", number, *nu));
+  }
+  return {*e, *nu};
 }
 
-MaterialOption::MaterialOption(CLI::App& command, const std::string& number)
-    : young(command, "--young" + number,
-            "Young's modulus " + (number.empty() ? "E" : "of body " + number)),
-      poisson(
-          command, "--poisson" + number,
-          "Poisson's ratio" + (number.empty() ? ", between -1 and 0.5" : " of body " + number)) {}
-
-elasticity::Material MaterialOption::or_else(
-    const std::optional<elasticity::Material>& given) const {
-  if (!given) return {young.number_or({}), poisson.number_or({})};
-  return {young.number_or(given->young()), poisson.number_or(given->poisson())};
+std::pair<Material, Material> PairOfMaterialFlags::read(
+    const std::optional<parameters::ContactCase>& from_case, const std::string& unit,
+    std::vector<std::string>& assumed) const {
+  const auto of_body = [&](parameters::CylinderCase parameters::ContactCase::*body) {
+    return of_case(of_case(from_case, body), &parameters::CylinderCase::material);
+  };
+  const Material first =
+      material_of({&body1, &both}, of_body(&parameters::ContactCase::body1), unit, assumed);
+  return {first,
+          material_of({&body2, &both}, of_body(&parameters::ContactCase::body2), unit, assumed)};
 }
 
-elasticity::Material MaterialOption::or_else(
-    const std::optional<parameters::CylinderCase>& given) const {
-  return or_else(given ? std::optional(given->material) : std::nullopt);
+std::vector<std::string> note_of(const std::vector<std::string>& assumed) {
+  if (assumed.empty()) return {};
+  return {fmt::format("assumed (steel): {}", fmt::join(assumed, ", "))};
 }
 
-std::optional<line_contact::Radius> radius_of(const NumberOption& radius) {
-  if (radius.text() == "plane") return line_contact::Radius::of_plane();
-  const auto length = radius.number();
+std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit) {
+  if (flag.text() == "plane") return line_contact::Radius::of_plane();
+  const auto length = flag.quantity(unit);
   if (!length) return std::nullopt;
-  return line_contact::Radius::of_cylinder(radius.flag().c_str() + 2, *length);
-}
-
-line_contact::Radius radius_or(const NumberOption& radius,
-                               const std::optional<parameters::CylinderCase>& given) {
-  if (const auto own = radius_of(radius)) return *own;
-  if (given) return given->radius;
-  throw sys::InputError(radius.flag() + " is missing: give it, or a --case that has it");
-}
-
-std::vector<double> to_vector(const Eigen::VectorXd& numbers) {
-  return {numbers.data(), numbers.data() + numbers.size()};
+  if (*length == 0) flag.refuse("must be other than 0; 'plane' is a plane");
+  return line_contact::Radius::of_cylinder("radius", *length);
 }
 
 std::vector<std::string> half_space_warnings(double half_width, double least_radius) {
-  if (!(least_radius > 0 && half_width > small_ratio * least_radius)) return {};
+  constexpr double small = 0.1;
+  if (!(least_radius > 0 && half_width > small * least_radius)) return {};
   return {fmt::format(
-      "the contact's half-width is {:.2g} of the least radius: half-spaces stand for bodies whose "
-      "contact is less than {} of it",
-      half_width / least_radius, small_ratio)};
+      "the contact's half-width is {:.2g} of the least radius; half-spaces represent the bodies "
+      "well if it is less than {}",
+      half_width / least_radius, small)};
 }
 
 }  // namespace app

@@ -1,93 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commands of bodies pressed together share.
+// The bodies that are loaded or pressed together: their materials and their radii.
 #pragma once
 
-#include <fmt/core.h>
-
-#include <Eigen/Core>
-#include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "command_line/options.hpp"
-#include "config/units.hpp"
+#include "app/flags.hpp"
 #include "elasticity/material.hpp"
 #include "line_contact/cylinders.hpp"
 #include "parameters/case.hpp"
+#include "system/require.hpp"
 
 namespace app {
-using namespace command_line;
 
-/// The two bodies of a case, or nothing of either.
-struct GivenBodies {
-  explicit GivenBodies(const std::optional<parameters::Case>& from_file);
-  std::optional<parameters::CylinderCase> body1, body2;
+using elasticity::Material;
+
+/// The flags --young and --poisson, of one body or of both.
+struct MaterialFlags {
+  CLI::App& command;
+  std::string number = "";           ///< of the body, behind the flags' names
+  std::string which = " [210 GPa]";  ///< body it is, in the help
+  std::string whose = " [0.3]";
+  Flag young{command, "--young" + number, "STRESS", "Bodies", "Young's modulus" + which};
+  Flag poisson{command, "--poisson" + number, "NUMBER", "Bodies", "Poisson's ratio" + whose};
 };
 
-/// The flags of a body's material, --young1 and --poisson1; without a number of the only one's.
-struct MaterialOption {
-  MaterialOption(CLI::App& command, const std::string& number);
-  elasticity::Material or_else(const std::optional<elasticity::Material>& given) const;
-  elasticity::Material or_else(const std::optional<parameters::CylinderCase>& given) const;
-  NumberOption young, poisson;
+/// The material of a body: each number from the first of the flags that was given, or from the
+/// case, or that of steel, which is added to `assumed`. Throws sys::InputError for one out of
+/// range.
+Material material_of(const std::vector<const MaterialFlags*>& flags,
+                     const std::optional<Material>& from_case, const std::string& unit,
+                     std::vector<std::string>& assumed);
+
+/// The flags of two bodies' materials.
+struct PairOfMaterialFlags {
+  CLI::App& command;
+  MaterialFlags both{command, "", " of both bodies [210 GPa]", " of both bodies [0.3]"};
+  MaterialFlags body1{command, "1", " of body 1 alone", " of body 1 alone"};
+  MaterialFlags body2{command, "2", " of body 2 alone", " of body 2 alone"};
+
+  std::pair<Material, Material> read(const std::optional<parameters::ContactCase>& from_case,
+                                     const std::string& unit,
+                                     std::vector<std::string>& assumed) const;
 };
 
-/// The radius that a flag gives, if any: a length other than 0, negative for a hollow, or "plane".
-std::optional<line_contact::Radius> radius_of(const NumberOption& radius);
+/// A line that names what was assumed; none if nothing was.
+std::vector<std::string> note_of(const std::vector<std::string>& assumed);
 
-/// The same, or else the radius of the case's body; throws sys::InputError where there is neither.
-line_contact::Radius radius_or(const NumberOption& radius,
-                               const std::optional<parameters::CylinderCase>& given);
+/// The radius that a flag gives: a length other than 0, negative for a hollow, or "plane".
+std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit);
 
-/// What is left out where half-spaces stand for bodies is of the order of the square of a ratio:
-/// from a tenth on it is some per cent, and the user is warned.
-inline constexpr double small_ratio = 0.1;
-
-/// A sentence if the contact's half-width is not small beside the bodies' least radius of
-/// curvature, 0 where none is known; none if it is.
+/// A sentence if the contact's half-width is not small beside the least radius of curvature, 0
+/// where none is known: what half-spaces leave out is of the order of the square of this ratio.
 std::vector<std::string> half_space_warnings(double half_width, double least_radius);
 
-/// The names of elements, as a flag takes them.
-template <class Elements>
-std::vector<std::string> names_of(const Elements& elements) {
-  std::vector<std::string> names;
-  for (const auto element : elements) names.emplace_back(name_of(element));
-  return names;
-}
-
-/// The element of this name.
-template <class Elements>
-auto element_named(const std::string& name, const Elements& elements) {
-  return *std::ranges::find(elements, name, [](auto element) { return name_of(element); });
-}
-
-/// A line a region in contact, the first ten of them, if there is more than one.
-template <class Region, class OfRegion>
-std::string regions_text(const std::vector<Region>& regions, const OfRegion& of_region) {
-  if (regions.size() < 2) return "";
-  constexpr std::size_t most_shown = 10;
-  std::string text = fmt::format("{} regions in contact\n", regions.size());
-  for (std::size_t i = 0; i < std::min(regions.size(), most_shown); ++i) {
-    text += "  " + of_region(regions[i]) + "\n";
+/// Returns solve(). If a quantity is out of range that one of the flags gave, the message names the
+/// flag and has its text.
+template <class Solve>
+auto naming(const std::vector<const Flag*>& flags, const Solve& solve) {
+  try {
+    return solve();
+  } catch (const sys::InvalidQuantity& error) {
+    for (const Flag* flag : flags) {
+      if (flag->is_given() && flag->name() == "--" + error.quantity()) {
+        flag->refuse("must be " + error.allowed());
+      }
+    }
+    throw;
   }
-  if (regions.size() > most_shown) {
-    text += fmt::format("  and {} more\n", regions.size() - most_shown);
-  }
-  return text;
-}
-
-/// The numbers at the nodes, for a column.
-std::vector<double> to_vector(const Eigen::VectorXd& numbers);
-
-/// A line with the residuals of a solution.
-template <class Residuals>
-std::string residuals_text(const Residuals& residuals, const config::UnitSystem& units,
-                           const std::string& unit_of_load) {
-  return fmt::format(
-      "residuals: (1a) {:.1e} {}, (1b) {:.1e} {}, pressure {:.1e} {}, load {:.1e} {}\n",
-      residuals.gap, units.length, residuals.separation, units.length, residuals.pressure,
-      units.stress, residuals.load, unit_of_load);
 }
 
 }  // namespace app

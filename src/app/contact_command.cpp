@@ -1,149 +1,157 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <vector>
+#include <utility>
 
 #include "app/commands.hpp"
-#include "app/contact_options.hpp"
+#include "app/contact.hpp"
+#include "contact/limits.hpp"
+#include "line_contact/element.hpp"
 
 namespace app {
 namespace {
 
-struct ContactCommandOptions {
-  explicit ContactCommandOptions(CLI::App& command) : contact(command) { output.add_to(command); }
-
-  ContactOptions contact;
-  Output output;
+struct ContactOptions {
+  CLI::App& command;
+  ContactFlags contact{command};
+  Output output{command, "[contact]"};
 };
 
-std::vector<Quantity> quantities_of(const ContactInput& input, const SolvedContact& solved,
-                                    const config::UnitSystem& units) {
+std::vector<Quantity> quantities_of(const SolvedContact& solved, const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
   std::vector<Quantity> quantities = {
-      {"half_width", "half-width", half_width_of(input, s), units.length},
-      {"peak_pressure", "peak pressure", s.peak_pressure(), units.stress},
-      {"load", "load", s.line_load(), units.line_load}};
-  if (input.closed_form) {
-    quantities[0].exact = input.closed_form->half_width;
-    quantities[1].exact = input.closed_form->peak_pressure;
+      {"half_width", "half-width", units.length, solved.half_width()},
+      {"peak_pressure", "peak pressure", units.stress, s.peak_pressure()},
+      {"load", "load", units.line_load, s.line_load()}};
+  if (solved.datum) {
+    quantities.push_back({"approach", "approach", units.length, s.approach(*solved.datum)});
   }
-  if (solved.approach) {
-    quantities.push_back({"approach", "approach", *solved.approach, units.length});
-  }
+  if (!solved.hertz) return quantities;
+  quantities[0].exact = solved.hertz->half_width();
+  quantities[1].exact = solved.hertz->peak_pressure();
+  if (solved.datum) quantities[3].exact = solved.hertz->approach(*solved.datum);
   return quantities;
 }
 
-nlohmann::ordered_json details_of(const ContactInput& input, const SolvedContact& solved) {
+Json details_of(const ContactFlags& flags, const SolvedContact& solved) {
   const line_contact::Solution& s = solved.solution;
-  nlohmann::ordered_json json = {{"profile", input.profile},
-                                 {"element", line_contact::name_of(s.element)},
-                                 {"method", input.method},
-                                 {"nodes", s.grid.n_nodes},
-                                 {"nodes_in_contact", s.n_in_contact()},
-                                 {"solves", s.work.revisions},
-                                 {"iterations", s.work.iterations},
-                                 {"products", s.work.products},
-                                 {"seconds", solved.seconds},
-                                 {"residuals",
-                                  {{"gap", std::max(s.residuals.gap, s.residuals.separation)},
-                                   {"pressure", s.residuals.pressure},
-                                   {"load", s.residuals.load}}},
-                                 {"contact_regions", nlohmann::ordered_json::array()}};
+  Json details = {{"profile", flags.profile.text_or("cylinder")},
+                  {"element", line_contact::name_of(s.element)},
+                  {"method", solved.method},
+                  {"nodes", s.grid.n_nodes},
+                  {"nodes_in_contact", s.n_in_contact()},
+                  {"solves", s.work.revisions},
+                  {"iterations", s.work.iterations},
+                  {"products", s.work.products},
+                  {"seconds", solved.seconds},
+                  {"residuals",
+                   {{"gap", std::max(s.residuals.gap, s.residuals.separation)},
+                    {"pressure", s.residuals.pressure},
+                    {"load", s.residuals.load}}},
+                  {"contact_regions", Json::array()}};
   for (const line_contact::Region& region : s.regions()) {
-    json["contact_regions"].push_back({{"begin", region.begin},
-                                       {"end", region.end},
-                                       {"load", region.load},
-                                       {"nodes", region.n_nodes}});
+    details["contact_regions"].push_back({{"begin", region.begin},
+                                          {"end", region.end},
+                                          {"load", region.load},
+                                          {"nodes", region.n_nodes}});
   }
-  return json;
+  return details;
 }
 
-Table nodes_of(const ContactInput& input, const SolvedContact& solved, bool is_csv) {
+// JSON leaves Hertz's pressure to two numbers.
+Table nodes_of(const SolvedContact& solved, bool is_csv) {
   const line_contact::Solution& s = solved.solution;
-  Table table{.columns = {{.key = "x", .numbers = to_vector(s.grid.nodes())},
-                          {.key = "pressure", .numbers = to_vector(s.pressure)}},
-              .in_json = InJson::columns};
-  const auto add = [&](const char* key, const Eigen::VectorXd& numbers) {
-    table.columns.push_back({.key = key, .numbers = to_vector(numbers)});
-  };
-  if (const auto& exact = input.closed_form; exact && is_csv) {
-    add(exact->name == "hertz" ? "hertz_pressure" : "exact_pressure",
-        s.grid.nodes().unaryExpr(exact->pressure));
-    table.columns.back().may_be_infinite = true;
+  const Eigen::VectorXd x = s.grid.nodes();
+  Table table = {{.key = "x", .numbers = to_vector(x)},
+                 {.key = "pressure", .numbers = to_vector(s.pressure)}};
+  if (solved.hertz && is_csv) {
+    const auto hertz = x.unaryExpr([&](double at) { return solved.hertz->pressure(at); });
+    table.push_back({.key = "hertz_pressure", .numbers = to_vector(hertz)});
   }
-  add("gap", s.gap);
+  table.push_back({.key = "gap", .numbers = to_vector(s.gap)});
   return table;
 }
 
-std::string notes_of(const ContactInput& input, const SolvedContact& solved,
-                     const config::UnitSystem& units) {
+void add_notes(std::vector<std::string>& notes, const SolvedContact& solved,
+               const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
-  std::string text;
-  text += regions_text(s.regions(), [&](const line_contact::Region& region) {
-    return fmt::format("from {:.6g} to {:.6g} {}, {:.6g} {}", region.begin, region.end,
-                       units.length, region.load, units.line_load);
-  });
-  text += fmt::format("{} of {} nodes in contact, {:.6g} {} apart; {}, {} elements",
-                      s.n_in_contact(), s.grid.n_nodes, s.grid.spacing, units.length, input.method,
-                      line_contact::name_of(s.element));
-  if (s.work.revisions > 0)
-    text += fmt::format(", steps to find the contact: {}", s.work.revisions);
-  if (s.work.iterations > 0) text += fmt::format(", {} iterations", s.work.iterations);
-  return text + "\n" + residuals_text(s.residuals, units, units.line_load);
+  const auto regions = s.regions();
+  if (regions.size() > 1) notes.push_back(fmt::format("{} regions in contact", regions.size()));
+  if (solved.datum) {
+    notes.push_back(
+        fmt::format("approach of points at x = {} {}", rounded(*solved.datum), units.length));
+  }
+  notes.push_back(fmt::format("{} of {} nodes in contact, {:.4g} {} apart", s.n_in_contact(),
+                              s.grid.n_nodes, s.grid.spacing, units.length));
+  notes.push_back(fmt::format("{} elements, {}", line_contact::name_of(s.element), solved.method));
 }
 
-// The pressure at the nodes about the contact, and the closed form, if there is one.
-literate::Figure contact_figure(const ContactInput& input, const SolvedContact& solved,
-                                const config::UnitSystem& units) {
+// The pressure at the nodes about the contact, and Hertz's if there is one.
+Picture picture_of(const SolvedContact& solved, const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
   const auto regions = s.regions();
   const double margin = 0.15 * (regions.back().end - regions.front().begin);
-  const double begin = regions.front().begin - margin;
-  const double end = regions.back().end + margin;
-  std::vector<double> x, pressure;
-  for (Eigen::Index i = 0; i < s.grid.n_nodes; ++i) {
+  const double begin = regions.front().begin - margin, end = regions.back().end + margin;
+  Picture picture{
+      fmt::format("x ({})", units.length), fmt::format("pressure ({})", units.stress), {}};
+  if (solved.hertz) {
+    picture.curves.push_back(
+        line("Hertz", begin, end, [&](double x) { return solved.hertz->pressure(x); }));
+  }
+  picture.curves.push_back({"elements", !solved.hertz, {}, {}});
+  // A hundred points leave the line visible below them.
+  const Eigen::Index step = solved.hertz ? 1 + s.n_in_contact() / 100 : 1;
+  for (Eigen::Index i = 0; i < s.grid.n_nodes; i += step) {
     if (s.grid.x(i) < begin || s.grid.x(i) > end) continue;
-    x.push_back(s.grid.x(i));
-    pressure.push_back(s.pressure[i]);
+    picture.curves.back().x.push_back(s.grid.x(i));
+    picture.curves.back().y.push_back(s.pressure[i]);
   }
-  literate::Figure figure{
-      .width_cm = 14,
-      .height_cm = 9,
-      .data = {{"nodes", {{"x", x}, {"pressure", pressure}}}},
-      .texts = {{"axis", "x"}, {"length_unit", units.length}, {"stress_unit", units.stress}}};
-  if (input.closed_form) {
-    figure.data["closed"] = curve("x", "pressure", 401, begin, end, [&](double at) {
-      const double exact = input.closed_form->pressure(at);
-      return std::isfinite(exact) ? exact : literate::gap;
-    });
-  }
-  return figure;
+  return picture;
 }
 
-ExitCode run(const ContactCommandOptions& options) {
-  const auto from_file = case_of(options.contact.case_file());
-  const config::UnitSystem units = options.output.units(from_file);
-  const ContactInput input = options.contact.read(from_file);
-  const SolvedContact solved = solve(input);
-  return options.output.print({.quantities = quantities_of(input, solved, units),
-                               .closed_form = input.closed_form ? input.closed_form->name : "",
-                               .details = details_of(input, solved),
-                               .tables = {nodes_of(input, solved, options.output.is_csv())},
-                               .notes = notes_of(input, solved, units),
-                               .warnings = validity_warnings(input, solved),
-                               .script = "contact",
-                               .figure = [&] { return contact_figure(input, solved, units); }});
+ExitCode run(const ContactOptions& options) {
+  const Given given = options.output.given();
+  const config::UnitSystem& units = given.units;
+  const SolvedContact solved = options.contact.solve(given);
+  constexpr int most_digits = 7;
+  Result result{
+      .quantities = quantities_of(solved, units),
+      .digits = earned_digits(contact::relative_error(solved.solution.resolution()), most_digits),
+      .is_hertz = solved.hertz.has_value(),
+      .details = details_of(options.contact, solved),
+      .table = nodes_of(solved, options.output.is_csv()),
+      .units = {{"half_width", units.length},
+                {"peak_pressure", units.stress},
+                {"load", units.line_load},
+                {"approach", units.length},
+                {"x", units.length},
+                {"pressure", units.stress},
+                {"gap", units.length}},
+      .notes = solved.notes,
+      .warnings = solved.warnings};
+  add_notes(result.notes, solved, units);
+  return options.output.print(result, [&] { return picture_of(solved, units); });
 }
 
 }  // namespace
 
 void add_contact_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<ContactCommandOptions>(program, "contact",
-                                     "Two bodies pressed together along a line: pressure and gap",
-                                     exit_code, run);
+  const CommandText text{
+      "contact",
+      R"(Hertz line contact: two cylinders, or a cylinder on a plane, pressed together along a line.
+Pressure, half-width and gap by boundary elements stand beside Hertz's closed form; the profile may
+also be measured.)",
+      R"(  A steel cylinder of radius 10 mm on a steel plane, 100 N/mm, drawn below:
+    halfspace contact --radius1 10 --load 100 --plot -
+  A steel shaft in a bronze bearing, in inches and pounds, with the approach:
+    halfspace contact --units in-lbf --radius1 1 --radius2 -1.1 --load 2500 \
+      --young1 30e6 --poisson1 0.3 --young2 16e6 --poisson2 0.34 --datum 1
+  A measured profile on a million nodes, all pressures as CSV:
+    halfspace contact --profile file:gap.csv --load 50N/mm --nodes 1e6 \
+      --format csv
+)"};
+  add_command<ContactOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

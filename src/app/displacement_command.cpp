@@ -1,193 +1,226 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
+#include <cmath>
+#include <limits>
 #include <utility>
-#include <vector>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
-#include "app/displacement_table.hpp"
-#include "app/load_choices.hpp"
-#include "command_line/stage.hpp"
+#include "app/loads.hpp"
+#include "app/output.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "elasticity/triangular_load.hpp"
-#include "system/require.hpp"
+#include "system/error.hpp"
 
 namespace app {
 namespace {
 
+using numerics::Estimate;
+using HalfSpace = std::optional<parameters::HalfSpaceCase>;
+
 struct DisplacementOptions {
-  explicit DisplacementOptions(CLI::App& command)
-      : material(command, ""),
-        datum(command, "--datum", "The x at which the displacement u_z is zero"),
-        shape(command, "--shape", "triangular",
-              "Shape of the load; file: a CSV file with the columns x,pressure, linear between; "
-              "expression: pressure on |x| <= a as a formula of x, a, p0, as p0*(1-(x/a)^4)",
-              choices_of(load_choices())) {
-    add_text(command, "--x", x, "LIST", "Points on the surface, as a list 0,0.005,0.01");
-    add_text(command, "--x-file", x_file, "FILE",
-             "File of points, one a line; - reads standard input");
-    add_text(command, "--case", case_file, "FILE", "Case file; flags override what it says");
-    add_choice(command, "--component", component, {"normal", "tangential"},
-               "normal: u_z; tangential: u_x");
-    output.add_to(command);
-  }
-
-  MaterialOption material;
-  NumberOption datum;
-  ChoiceOption shape;
-  std::string x, x_file, case_file;
-  std::string component = "normal";
-  Output output;
+  CLI::App& command;
+  LoadFlags load{command, "--shape", Shapes::any};
+  MaterialFlags material{command};
+  Flag x{
+      command, "--x", "LENGTH", "Points",
+      "Points on the surface: a list 0,0.5,2 or a range BEGIN:END:STEP [21 points over twice the "
+      "load's width, or the case's]"};
+  Flag datum{command, "--datum", "LENGTH", "Points",
+             "The x at which u_z = 0, which plane strain leaves open [ten times the load's "
+             "half-width, or the case's]"};
+  Flag component{command, "--component", "normal|tangential", "Points",
+                 "normal is u_z, into the body; tangential is u_x [normal]"};
+  Output output{command, "[half_space]"};
 };
 
-using OptionalCase = std::optional<parameters::Case>;
-
-// The ends of all pieces, the points midway between them, and one outside each end.
-std::vector<double> key_points_of(const elasticity::Load& load) {
-  const auto& pieces = load.normal.pieces();
-  if (pieces.empty()) return {};
-  const double width = pieces.back().end - pieces.front().begin;
-  std::vector<double> points{pieces.front().begin - width / 2, pieces.back().end + width / 2};
-  for (const numerics::Piece& piece : pieces) {
-    points.insert(points.end(), {piece.begin, (piece.begin + piece.end) / 2, piece.end});
-  }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
+std::vector<double> points_of(const DisplacementOptions& options, const HalfSpace& from_case,
+                              const ChosenLoad& load, const config::UnitSystem& units) {
+  if (options.x.is_given()) return options.x.quantities(units.length);
+  if (from_case) return from_case->points;
+  const auto& pieces = load.load.normal.pieces();
+  if (pieces.empty()) throw sys::InputError("--x is missing");
+  const double begin = pieces.front().begin;
+  const double width = pieces.back().end - begin;
+  constexpr int n = 20;
+  return evenly_spaced(begin - width / 2, 2 * width / n, n + 1);
 }
 
-// The same load, whose pressure is counted each time that it is asked for.
-elasticity::Load counted(elasticity::Load load, const std::shared_ptr<long>& n_evaluations) {
-  std::vector<numerics::Piece> pieces = load.normal.pieces();
-  for (numerics::Piece& piece : pieces) {
-    piece.value = [value = piece.value, n_evaluations](double s) {
-      ++*n_evaluations;
-      return value(s);
-    };
-  }
-  load.normal = numerics::PiecewiseFunction(pieces);
-  *n_evaluations = 0;
-  return load;
+double datum_of(const DisplacementOptions& options, const HalfSpace& from_case,
+                const ChosenLoad& load, const config::UnitSystem& units) {
+  if (const auto datum = options.datum.positive(units.length)) return *datum;
+  if (from_case) return from_case->datum;
+  if (load.reach() == 0) throw sys::InputError("--datum, the x at which u_z = 0, is missing");
+  return 10 * load.reach();
 }
 
-// The points given, or else the case's, or else those of the load itself: nothing is known where
-// they lie in a file or under an expression.
-std::vector<double> points_of(const DisplacementOptions& options, const OptionalCase& from_file,
-                              const elasticity::Load& load) {
-  refuse_if(!options.x.empty() && !options.x_file.empty(), "--x and --x-file: give one of them");
-  if (!options.x.empty()) return parse_numbers("--x", options.x);
-  if (!options.x_file.empty()) return read_numbers(options.x_file);
-  if (from_file) return from_file->half_space.points;
-  const bool is_users_own = !options.shape.argument().empty();
-  if (is_users_own) return key_points_of(load);
-  throw sys::InputError("no points: give --x, --x-file, or a --case that has them");
-}
-
-// A function of x on the surface, by quadrature and in closed form.
-struct SurfaceFunction {
-  std::function<numerics::Estimate(double)> quadrature;
-  std::function<double(double)> closed_form;  // empty if there is none
-
-  BothWays at(double x) const {
-    return {quadrature(x), closed_form ? std::optional(closed_form(x)) : std::nullopt};
-  }
+// A function of x on the surface by quadrature, and in closed form if one is known.
+struct Function {
+  std::string key, symbol, unit;
+  std::function<Estimate(double)> quadrature;
+  std::function<double(double)> closed_form;
 };
 
-// The displacement at the points, and between them in closed form, or else by quadrature.
-literate::Figure displacement_figure(const SurfaceFunction& displacement, bool has_force,
-                                     const std::vector<DisplacementRow>& rows,
-                                     const std::string& component,
-                                     const config::UnitSystem& units) {
-  std::vector<double> x, u;
-  for (const DisplacementRow& row : rows) {
-    x.push_back(row.x);
-    u.push_back(row.displacement.quadrature.value);
-  }
-  const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  const auto value = [&](double at) {
-    if (at == 0 && has_force) return literate::gap;  // infinite there
-    return displacement.closed_form ? displacement.closed_form(at)
-                                    : displacement.quadrature(at).value;
+// The same function, but infinite where the load jumps by more than `least`: the gradient by any
+// jump, the displacement by that of a concentrated force.
+Function infinite_at_jumps(const Function& function, const ChosenLoad& load, double least) {
+  const auto infinite_at = [&load, least](double x) {
+    const double jump = load.jump_at(x);
+    return std::abs(jump) > least ? std::copysign(HUGE_VAL, jump) : 0;
   };
-  return {.width_cm = 14,
-          .height_cm = 9,
-          .data = {{"points", {{"x", x}, {"u", u}}},
-                   {"curve", curve("x", "u", 401, *low, *high, value)}},
-          .texts = {{"unit", units.length},
-                    {"component", component},
-                    {"line", displacement.closed_form ? "closed form" : "quadrature"}}};
+  Function guarded = function;
+  guarded.quadrature = [=](double x) {
+    const double infinite = infinite_at(x);
+    return infinite == 0 ? function.quadrature(x) : Estimate{infinite, 0};
+  };
+  if (!function.closed_form) return guarded;
+  guarded.closed_form = [=](double x) {
+    const double infinite = infinite_at(x);
+    return infinite == 0 ? function.closed_form(x) : infinite;
+  };
+  return guarded;
+}
+
+// The gradient and the displacement of one component.
+std::pair<Function, Function> functions_of(const elasticity::SurfaceQuadrature& quadrature,
+                                           const ClosedForms& closed, const ChosenLoad& load,
+                                           bool is_tangential, const std::string& length) {
+  if (is_tangential) {
+    return {
+        {"gradient", "du_x/dx", "1", [&](double x) { return quadrature.tangential_gradient(x); },
+         closed.tangential_gradient},
+        {"displacement", "u_x", length,
+         [&](double x) { return quadrature.tangential_displacement(x); },
+         closed.tangential_displacement}};
+  }
+  const Function gradient{"gradient", "du_z/dx", "1",
+                          [&](double x) { return quadrature.normal_gradient(x); },
+                          closed.normal_gradient};
+  const Function displacement{"displacement", "u_z", length,
+                              [&](double x) { return quadrature.normal_displacement(x); },
+                              closed.normal_displacement};
+  constexpr double finite = std::numeric_limits<double>::max();
+  return {infinite_at_jumps(gradient, load, 0), infinite_at_jumps(displacement, load, finite)};
+}
+
+// Its numbers at all points.
+struct Numbers {
+  std::vector<double> quadrature, abs_error, closed_form;
+
+  // Whether quadrature and closed form agree at a point within the error and four roundings.
+  bool agree(std::size_t i) const {
+    constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+    const double difference = std::abs(quadrature[i] - closed_form[i]);
+    return std::isinf(quadrature[i]) ||
+           difference <= abs_error[i] + roundings * std::abs(closed_form[i]);
+  }
+};
+
+// Computes the numbers and adds them to the table.
+Numbers add_columns(Table& table, const Function& function, const std::vector<double>& points) {
+  Numbers numbers;
+  for (const double x : points) {
+    const Estimate estimate = function.quadrature(x);
+    // At a jump the error is 0; elsewhere an infinite one comes with a number that has overflowed.
+    require_finite(fmt::format("{}_quadrature at x = {}", function.key, x), estimate.abs_error);
+    numbers.quadrature.push_back(estimate.value + 0.0);
+    numbers.abs_error.push_back(estimate.abs_error);
+    if (function.closed_form) numbers.closed_form.push_back(function.closed_form(x) + 0.0);
+  }
+  constexpr int most = 9, of_error = 2;
+  const double largest = greatest(numbers.quadrature), error = greatest(numbers.abs_error);
+  const int digits = earned_digits(error / largest, most);
+  const auto add = [&](const char* name, const char* head, const std::vector<double>& column) {
+    table.push_back(aligned_column(function.key + name, {function.symbol, head}, function.unit,
+                                   column, largest, digits));
+  };
+  add("_quadrature", "quadrature", numbers.quadrature);
+  table.push_back(aligned_column(function.key + "_abs_error", {"error", ""}, function.unit,
+                                 numbers.abs_error, error, of_error));
+  if (!function.closed_form) return numbers;
+  table.back().heads.clear();  // people read the closed form in its place
+  add("_closed_form", "closed form", numbers.closed_form);
+  return numbers;
+}
+
+void add_notes(std::vector<std::string>& notes, const ChosenLoad& load, const Numbers& gradient,
+               const Numbers& displacement, const std::string& length) {
+  notes.push_back(fmt::format("errors of the quadrature: at most {:.1e} and {:.1e} {}",
+                              greatest(gradient.abs_error), greatest(displacement.abs_error),
+                              length));
+  const std::size_t n = gradient.closed_form.size();
+  std::size_t n_agreeing = 0;
+  for (std::size_t i = 0; i < n; ++i) n_agreeing += gradient.agree(i) && displacement.agree(i);
+  notes.push_back(load.source.empty() ? "no closed form is known" : "closed form: " + load.source);
+  if (n == 0) return;
+  notes.push_back(fmt::format("{} of {} points agree within their errors", n_agreeing, n));
 }
 
 ExitCode run(const DisplacementOptions& options) {
-  const OptionalCase from_file = case_of(options.case_file);
-  const config::UnitSystem units = options.output.units(from_file);
-  options.shape.refuse_flags_of_others();
-  const elasticity::Material material = options.material.or_else(
-      from_file ? std::optional(from_file->half_space.material) : std::nullopt);
-  std::optional<double> datum;
-  if (from_file) datum = from_file->half_space.datum;
-  const double zero_at = sys::require_positive("datum", options.datum.number_or(datum));
-  const LoadChoice& choice = load_choices()[options.shape.row()];
-  const KnownLoad known = choice.make(
-      options.shape, numbers_of(options.shape, from_file ? numbers_of(from_file->half_space.load)
-                                                         : LoadNumbers()));
-  const bool has_force = !known.load.forces.empty();
-  const bool is_tangential = options.component == "tangential";
-  refuse_if(is_tangential && has_force,
-            "--component tangential: not with --shape " + options.shape.text());
-  const std::vector<double> points = points_of(options, from_file, known.load);
+  const Given given = options.output.given();
+  const config::UnitSystem& units = given.units;
+  HalfSpace from_case;
+  if (given.file) from_case = given.file->half_space();
+  std::vector<std::string> assumed;
+  const Material material =
+      material_of({&options.material}, of_case(from_case, &parameters::HalfSpaceCase::material),
+                  units.stress, assumed);
+  const ChosenLoad load =
+      options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), units);
+  const bool is_tangential =
+      options.component.choice_or(false, {{"normal", false}, {"tangential", true}});
+  if (is_tangential && !load.load.forces.empty()) {
+    options.component.refuse("has no meaning for " + options.load.name());
+  }
+  const std::vector<double> points = points_of(options, from_case, load, units);
+  const double datum = datum_of(options, from_case, load, units);
 
-  const Stopwatch stopwatch;
-  const auto n_evaluations = std::make_shared<long>(0);
-  const elasticity::SurfaceQuadrature quadrature(material, counted(known.load, n_evaluations),
-                                                 zero_at);
-  const ClosedSurface closed =
-      known.surface ? known.surface(material, zero_at) : ClosedSurface();
-  SurfaceFunction gradient{[&](double x) { return quadrature.normal_gradient(x); },
-                           closed.normal_gradient};
-  SurfaceFunction displacement{[&](double x) { return quadrature.normal_displacement(x); },
-                               closed.normal_displacement};
-  if (is_tangential) {
-    gradient = {[&](double x) { return quadrature.tangential_gradient(x); },
-                closed.tangential_gradient};
-    displacement = {[&](double x) { return quadrature.tangential_displacement(x); },
-                    closed.tangential_displacement};
+  const elasticity::SurfaceQuadrature quadrature(material, load.load, datum);
+  const ClosedForms closed = load.closed_forms ? load.closed_forms(material, datum) : ClosedForms();
+  const auto [gradient, displacement] =
+      functions_of(quadrature, closed, load, is_tangential, units.length);
+  Result result{.table_in_json = InJson::rows, .notes = note_of(assumed)};
+  result.table.push_back(column_of_places("x", units.length, points));
+  const Numbers gradients = add_columns(result.table, gradient, points);
+  const Numbers displacements = add_columns(result.table, displacement, points);
+  result.units = {{"x", units.length}, {"gradient", "1"}, {"displacement", units.length}};
+  if (!is_tangential) {
+    result.notes.push_back(fmt::format("u_z = 0 at x = {} {}", rounded(datum), units.length));
   }
-  std::vector<DisplacementRow> rows;
-  for (const double x : points) {
-    *n_evaluations = 0;
-    rows.push_back({.x = x,
-                    .gradient = gradient.at(x),
-                    .displacement = displacement.at(x),
-                    .n_evaluations = *n_evaluations});
-  }
-  Result result = displacement_result(
-      rows, units,
-      {.closed_form =
-           is_tangential ? "Johnson 2.24a, 2.25a with the load's own integral" : choice.source,
-       .seconds = stopwatch.seconds()});
-  if (!rows.empty()) {
-    result.figure = [&] {
-      return displacement_figure(displacement, has_force, rows, is_tangential ? "u_x" : "u_z",
-                                 units);
+  add_notes(result.notes, load, gradients, displacements, units.length);
+  return options.output.print(result, [&, &u = displacement] {
+    const auto [low, high] = std::ranges::minmax(points);
+    const auto value = [&u](double x) {
+      const double u_at = u.closed_form ? u.closed_form(x) : u.quadrature(x).value;
+      return std::isinf(u_at) ? std::nan("") : u_at;
     };
-  }
-  return options.output.print(result);
+    return Picture{fmt::format("x ({})", units.length),
+                   fmt::format("{} ({})", u.symbol, units.length),
+                   {line(u.closed_form ? "closed form" : "quadrature", low, high, value),
+                    {"quadrature at the points", false, points, displacements.quadrature}}};
+  });
 }
 
 }  // namespace
 
 void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<DisplacementOptions>(program, "displacement",
-                                   "Surface gradient and displacement of a half-space: eq. (2) by "
-                                   "quadrature, beside it eq. (3) or another closed form",
-                                   exit_code, run);
+  const CommandText text{
+      "displacement",
+      R"(Surface displacement u_z of a half-space under a strip load, a triangular load or any other
+pressure, and its gradient. Both come by numerical quadrature (eq. 2 of Ruggiero 2001), beside their
+closed forms where these are known. At the edge of a strip the displacement is finite and the
+gradient infinite.)",
+      R"(  A strip load of 100 MPa on |x| <= 1 mm of steel:
+    halfspace displacement --shape uniform --peak-pressure 100 --half-width 1
+  A triangular load on aluminium, at points of your own, drawn in the terminal:
+    halfspace displacement --peak-pressure 63MPa --half-width 0.4mm \
+      --young 70GPa --poisson 0.33 --x 0:2:0.1 --datum 50 --plot -
+  Your own pressure as a formula, with all digits as CSV:
+    halfspace displacement --shape 'expression:p0*(1-(x/a)^4)' \
+      --peak-pressure 100 --half-width 1 --format csv
+)"};
+  add_command<DisplacementOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

@@ -1,172 +1,168 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands.hpp"
+#include "app/output.hpp"
 
-#include <fmt/core.h>
-#include <stdlib.h>
+#include <fmt/format.h>
+#include <gnuplot-iostream.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
-#include <vector>
+#include <map>
 
-#include "literate/figures/gnuplot.hpp"
-#include "system/files.hpp"
-#include "system/text.hpp"
+#include "system/error.hpp"
+#include "system/process.hpp"
 
 namespace app {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* terminal_name = "-";
+constexpr const char* group = "Input and output";
+enum class Format { table, csv, json };
 
-// A new folder that is removed at the end of its scope.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "halfspace-plot-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw sys::OutputError(fmt::format("cannot make the folder '{}'", name));
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-// What a picture of this name is drawn on; none if its ending is of no kind.
-const literate::Canvas* canvas_of(const std::string& picture) {
-  static const std::vector<literate::Canvas> canvases = {
-      {"svg size 50 * width_cm, 50 * height_cm dynamic background '#ffffff' font 'Helvetica,16'",
-       ".svg"},
-      {"pngcairo size 60 * width_cm, 60 * height_cm font 'Helvetica,16'", ".png"},
-      {"pdfcairo size width_cm cm, height_cm cm", ".pdf"},
-      {"dumb noenhanced size 79, 24", terminal_name}};
-  const std::string ending =
-      picture == terminal_name ? picture : fs::path(picture).extension().string();
-  const auto found = std::ranges::find(canvases, ending, &literate::Canvas::ending);
-  return found == canvases.end() ? nullptr : &*found;
+const std::map<std::string, std::string>& terminals() {
+  static const std::map<std::string, std::string> by_ending = {
+      {"-", "dumb noenhanced size 79, 25"},
+      {".svg", "svg noenhanced size 700, 450 dynamic background '#ffffff' font 'Helvetica,16'"},
+      {".png", "pngcairo noenhanced size 1050, 675 font 'Helvetica,18'"},
+      {".pdf", "pdfcairo noenhanced size 14 cm, 9 cm font 'Helvetica,12'"}};
+  return by_ending;
 }
 
-// A gnuplot script of the folder plots beside the program. It is no part of the program, since a
-// changed look must compile nothing.
-std::string plot_script(const std::string& name) {
-  const fs::path file = fs::read_symlink("/proc/self/exe").parent_path() / "plots" / (name + ".gp");
-  if (!fs::is_regular_file(file)) {
-    throw sys::ToolError(fmt::format(
-        "--plot: there is no {}, the script of the picture: run `make report` in the checkout",
-        file.string()));
+std::string ending_of(const std::string& where) {
+  return where == "-" ? where : fs::path(where).extension().string();
+}
+
+// A text within gnuplot's single quotes.
+std::string quoted(const std::string& text) {
+  std::string quoted;
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return "'" + quoted + "'";
+}
+
+void set_up(Gnuplot& gnuplot, const Picture& picture, const std::string& terminal, bool is_text) {
+  gnuplot << "set terminal " << terminal << "\n"
+          << "set encoding utf8\n"
+          << "set grid\n"
+          << "set xlabel " << quoted(picture.x_label) << "\n"
+          << "set key outside top center horizontal\n"
+          << "set style line 1 linewidth 2 linecolor rgb '#1f5f99'\n"
+          << "set style line 2 linewidth 2 linecolor rgb '#b5541c'\n"
+          << "set style line 3 linewidth 2 linecolor rgb '#3a7d44'\n";
+  if (is_text) {
+    // Characters cannot stand upright, so the label of the y axis stands above it.
+    gnuplot << "set label 1 " << quoted(picture.y_label) << " at graph 0, screen 0.95\n"
+            << "set tmargin 4\n";
+  } else {
+    gnuplot << "set ylabel " << quoted(picture.y_label) << "\n";
   }
-  return sys::read_file(file);
+}
+
+void plot(Gnuplot& gnuplot, const std::vector<Curve>& curves, bool is_text) {
+  int i = 0;
+  for (const Curve& curve : curves) {
+    ++i;
+    gnuplot << (i == 1 ? "plot " : ", ") << "'-' with "
+            << (curve.is_line ? fmt::format("lines linestyle {}", i)
+                : is_text     ? std::string("points pointtype '*'")
+                              : fmt::format("points linestyle {} pointtype 6 pointsize 0.6", i))
+            << " title " << quoted(curve.title);
+  }
+  gnuplot << "\n";
+  for (const Curve& curve : curves) gnuplot.send1d(std::make_pair(curve.x, curve.y));
+}
+
+// Refuse a picture that cannot be drawn, before anything is computed.
+void require_drawable(const Flag& where) {
+  if (!terminals().contains(ending_of(where.text()))) {
+    where.refuse("must end with .svg, .png or .pdf, or be -");
+  }
+  require_folder_of(where);
+}
+
+// Draw the picture; a file takes its place when it is whole.
+void draw(const Picture& picture, const std::string& where) {
+  const bool is_text = where == "-";
+  const std::string part = where + ".part";
+  std::fflush(stdout);  // gnuplot writes on the same terminal
+  {
+    // With default settings it does not read the user's ~/.gnuplot. It begins a page of characters
+    // with a form feed and does not end the last line.
+    const std::string program =
+        "LC_ALL=C.UTF-8 '" + sys::find_tool("gnuplot").string() + "' --default-settings";
+    Gnuplot gnuplot(is_text ? program + " | tr -d '\\f'; echo" : program);
+    set_up(gnuplot, picture, terminals().at(ending_of(where)), is_text);
+    if (!is_text) gnuplot << "set output " << quoted(part) << "\n";
+    plot(gnuplot, picture.curves, is_text);
+  }
+  if (is_text) return;
+  std::error_code error;
+  if (!fs::is_regular_file(part, error) || fs::file_size(part, error) == 0) {
+    fs::remove(part, error);
+    throw sys::ToolError(fmt::format("gnuplot could not draw {}", where));
+  }
+  fs::rename(part, where, error);
+  if (error) throw sys::InputError(fmt::format("--plot = {}: {}", where, error.message()));
 }
 
 }  // namespace
 
-std::optional<parameters::Case> case_of(const std::string& file) {
-  if (file.empty()) return std::nullopt;
-  return parameters::read_case(file);
-}
+Output::Output(CLI::App& command, const std::string& tables)
+    : case_(command, "--case", "FILE", group,
+            "A case file (TOML) with " + tables + "; flags override it"),
+      units_(command, "--units", "mm-N|m-N|in-lbf", group,
+             "System of all numbers without a unit, and of the result: mm, N, MPa; m, N, Pa; in, "
+             "lbf, psi [mm-N, or the case's]"),
+      format_(command, "--format", "table|csv|json", group,
+              "How to print: for people, or with all digits for programs [table]"),
+      plot_(command, "--plot", "FILE", group,
+            "Draw the result in a .svg, .png or .pdf file; - draws it in the terminal") {}
 
-void require_folder_of(const std::string& flag, const std::string& file) {
-  const fs::path folder = fs::path(file).parent_path();
-  std::error_code ignored;
-  if (folder.empty() || fs::is_directory(folder, ignored)) return;
-  throw sys::InputError(fmt::format("{} {}: folder does not exist", flag, file));
-}
-
-double place(int i, int n, double begin, double end) {
-  return begin + (end - begin) * i / (n - 1);
-}
-
-literate::FigureData curve(const std::string& of_places, const std::string& of_values, int n,
-                           double begin, double end, const std::function<double(double)>& value) {
-  std::vector<double> places, values;
-  for (int i = 0; i < n; ++i) {
-    places.push_back(place(i, n, begin, end));
-    values.push_back(value(places.back()));
+Given Output::given() const {
+  const std::string units = units_.choice_or<std::string>(
+      "mm-N", {{"mm-N", "mm-N"}, {"m-N", "m-N"}, {"in-lbf", "in-lbf"}});
+  Given given{std::nullopt, config::unit_system(units)};
+  const auto format = format_.choice_or(
+      Format::table, {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}});
+  if (plot_.text() == "-" && format != Format::table) {
+    plot_.refuse("needs --format table, below which it is drawn");
   }
-  return {{of_places, places}, {of_values, values}};
+  if (plot_.is_given()) require_drawable(plot_);
+  if (!case_.is_given()) return given;
+  given.file.emplace(case_.text());
+  const config::UnitSystem& of_case = given.file->units();
+  if (units_.is_given() && units != of_case.name) units_.refuse("the case is in " + of_case.name);
+  given.units = of_case;
+  return given;
 }
 
-void Output::add_to(CLI::App& command) {
-  add_choice(command, "--format", format_, {"table", "csv", "json"}, "How to print");
-  add_text(
-      command, "--units", units_, "NAME",
-      "Units of the numbers given, for the headings of a table: in-lbf (default), mm-N or m-N");
-  add_text(command, "--plot", plot_, "FILE.svg|FILE.png|FILE.pdf|-",
-           "Draw the result in the report's style; - draws it in the terminal");
-}
-
-config::UnitSystem Output::units(const std::optional<parameters::Case>& from_file) const {
-  if (from_file && !units_.empty() && units_ != from_file->units.name) {
-    throw sys::InputError("--units " + units_ + ": the case is in " + from_file->units.name);
-  }
-  require_drawable();
-  if (from_file) return from_file->units;
-  return units_.empty() ? config::unit_systems().front() : config::unit_system(units_);
-}
-
-void Output::require_drawable() const {
-  if (plot_.empty()) return;
-  if (plot_ == terminal_name) {
-    if (format_ == "table") return;
-    throw sys::InputError("--plot -: needs --format table, which it stands below");
-  }
-  if (canvas_of(plot_) == nullptr) {
-    throw sys::InputError(
-        fmt::format("--plot {}: must end with .svg, .png or .pdf, or be -", plot_));
-  }
-  require_folder_of("--plot", plot_);
-}
-
-ExitCode Output::print(const Result& result) const {
-  require_finite(result);
+command_line::ExitCode Output::print(const Result& result,
+                                     const std::function<Picture()>& picture) const {
+  for (const Quantity& quantity : result.quantities) require_finite(quantity.key, quantity.value);
+  const std::string text = is_csv()                   ? csv_of(result.table)
+                           : format_.text() == "json" ? json_of(result)
+                                                      : text_of(result);
   for (const std::string& warning : result.warnings) {
-    fmt::print(stderr, "{}: warning: {}\n", program_name(), warning);
+    fmt::print(stderr, "{}: warning: {}\n", command_line::program_name(), warning);
   }
-  fmt::print("{}", format_ == "csv"    ? csv_text(result.tables.front())
-                   : format_ == "json" ? json_of(result)
-                                       : text_for_people(result));
-  if (!plot_.empty() && result.figure) draw(result.script, result.figure());
-  return ExitCode::success;
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (plot_.is_given()) draw(picture(), plot_.text());
+  return command_line::ExitCode::success;
 }
 
-void Output::draw(const std::string& script, literate::Figure figure) const {
-  const bool is_terminal = plot_ == terminal_name;
-  if (is_terminal) figure.numbers["in_terminal"] = 1;
-  literate::require_drawable(figure);
-  const literate::Canvas& canvas = *canvas_of(plot_);
-
-  const ScratchFolder scratch;
-  const fs::path folder = scratch.path() / "figure";
-  literate::write_figure(folder, script, figure, canvas);
-  sys::write_file_atomically(scratch.path() / "style.gp", plot_script("style"));
-  sys::write_file_atomically(folder / "script.gp", plot_script(script));
-
-  const sys::ProcessResult result = literate::run_gnuplot(folder, script);
-  const fs::path drawn = folder / (script + canvas.ending);
+void require_folder_of(const Flag& flag) {
+  const fs::path folder = fs::path(flag.text()).parent_path();
   std::error_code ignored;
-  const bool is_there = fs::is_regular_file(drawn, ignored) && fs::file_size(drawn, ignored) > 0;
-  if (result.exit_status != 0 || !is_there) {
-    throw sys::ToolError(fmt::format("gnuplot could not draw {}: {}", plot_,
-                                     std::string(sys::stripped(result.output))));
+  if (!folder.empty() && !fs::is_directory(folder, ignored)) flag.refuse("folder does not exist");
+}
+
+Curve line(const std::string& title, double begin, double end,
+           const std::function<double(double)>& value) {
+  constexpr int n = 400;
+  Curve curve{title, true, {}, {}};
+  for (int i = 0; i <= n; ++i) {
+    curve.x.push_back(begin + (end - begin) * i / n);
+    curve.y.push_back(value(curve.x.back()));
   }
-  std::string picture = sys::read_file(drawn);
-  if (is_terminal) {
-    std::erase(picture, '\f');  // gnuplot begins a page with a form feed
-    fmt::print("{}", picture);
-  } else {
-    sys::write_file_atomically(plot_, picture);
-  }
+  return curve;
 }
 
 }  // namespace app

@@ -1,95 +1,210 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <vector>
 
+#include "app/bodies.hpp"
 #include "app/commands.hpp"
-#include "app/point_contact_options.hpp"
+#include "app/csv_files.hpp"
+#include "app/output.hpp"
+#include "command_line/stage.hpp"
+#include "contact/limits.hpp"
+#include "point_contact/bodies/profile.hpp"
+#include "point_contact/closed_forms/hertz_elliptic.hpp"
+#include "point_contact/solver/methods.hpp"
+#include "point_contact/solver/problem.hpp"
 #include "point_contact/solver/solution.hpp"
+#include "system/error.hpp"
 #include "system/files.hpp"
 
 namespace app {
 namespace {
 
-using nlohmann::ordered_json;
+using config::UnitSystem;
+using parameters::ContactCase;
+using point_contact::Element;
+using point_contact::HertzElliptic;
 using point_contact::Vector2;
 
-struct PointContactCommandOptions {
-  explicit PointContactCommandOptions(CLI::App& command) : contact(command) {
-    add_text(command, "--field", field_file, "FILE",
-             "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap");
-    output.add_to(command);
-  }
-
-  PointContactOptions contact;
-  std::string field_file;
-  Output output;
+// A sphere by one radius, an ellipsoid by two.
+struct RadiusFlags {
+  CLI::App& command;
+  std::string number, help;
+  Flag radius{command, "--radius" + number, "LENGTH", "Bodies", help};
+  Flag along_x{command, "--radius" + number + "x", "LENGTH", "Bodies",
+               "Or two principal radii: that along x"};
+  Flag along_y{command, "--radius" + number + "y", "LENGTH", "Bodies", "and that along y"};
 };
 
-std::vector<Quantity> quantities_of(const PointContactInput& input,
-                                    const SolvedPointContact& solved,
-                                    const config::UnitSystem& units) {
-  const point_contact::Solution& s = solved.solution;
-  const Vector2 widths = half_widths_of(input, s);
+struct PointContactOptions {
+  CLI::App& command;
+  Flag load{command, "--load", "FORCE", "Load", "Load P, a force"};
+  RadiusFlags radius1{command, "1",
+                      "Radius of body 1, a sphere; 'plane' for a plane, negative for a hollow"};
+  RadiusFlags radius2{command, "2", "Radius of body 2 [plane]"};
+  PairOfMaterialFlags materials{command};
+  Flag profile{command, "--profile", "sphere|file:PATH|heights:PATH", "Bodies",
+               "Gap between the bodies before they are loaded: by their radii, or measured: a CSV "
+               "grid of gaps, or of heights of a surface, one line for each y [sphere]"};
+  Flag spacing{command, "--spacing", "LENGTH", "Bodies", "Measured: distance between its points"};
+  Flag nodes{command, "--nodes", "COUNT", "Solution",
+             "Number of nodes along the longer side of the domain [256]"};
+  Flag domain{
+      command, "--domain", "LENGTH", "Solution",
+      "Width of the square that the nodes fill [the contact and a ninth more, or the file's]"};
+  Flag element{command, "--element", "pyramid|uniform", "Solution",
+               "Pressure about a node: a pyramid, or uniform on a square [pyramid]"};
+  Flag method{command, "--method", "fft|variational", "Solution",
+              "How to solve; variational is a slower reference [fft]"};
+  Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
+                 "Error of the pressure, relative to the peak [1e-8]"};
+  Flag field{command, "--field", "FILE", "Input and output",
+             "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap"};
+  Output output{command, "[contact], for its bodies"};
+};
+
+// Two bodies and what is known of their contact.
+struct Bodies {
+  point_contact::Profile profile;
+  std::optional<HertzElliptic> hertz = {};
+  double least_radius = 0;  // of the principal radii; 0 if the surface is measured
+};
+
+// The principal curvatures along x and y.
+Vector2 curvatures_of(const RadiusFlags& flags,
+                      const std::optional<line_contact::Radius>& otherwise,
+                      const std::string& length) {
+  if (!flags.along_x.is_given() && !flags.along_y.is_given()) {
+    auto radius = radius_of(flags.radius, length);
+    if (!radius) radius = otherwise;
+    if (!radius) throw sys::InputError(flags.radius.name() + " is missing");
+    return Vector2::Constant(radius->curvature());
+  }
+  refuse_given({&flags.radius}, "a body with two principal radii");
+  for (const Flag* flag : {&flags.along_x, &flags.along_y}) {
+    if (!flag->is_given()) throw sys::InputError(flag->name() + " is missing");
+  }
+  return {radius_of(flags.along_x, length)->curvature(),
+          radius_of(flags.along_y, length)->curvature()};
+}
+
+Bodies curved_bodies(const PointContactOptions& options,
+                     const std::optional<ContactCase>& from_case, double modulus, double load,
+                     const UnitSystem& units) {
+  const auto radius_of_case = [&](parameters::CylinderCase ContactCase::*body) {
+    return of_case(of_case(from_case, body), &parameters::CylinderCase::radius);
+  };
+  const Vector2 first =
+      curvatures_of(options.radius1, radius_of_case(&ContactCase::body1), units.length);
+  const Vector2 second = curvatures_of(
+      options.radius2,
+      radius_of_case(&ContactCase::body2).value_or(line_contact::Radius::of_plane()), units.length);
+  const Vector2 sum = first + second;
+  if (!(sum.minCoeff() > 0)) {
+    throw sys::InputError(
+        fmt::format("the curvatures 1/radius1 + 1/radius2 are {} along x and {} along y: must be "
+                    "greater than 0",
+                    rounded(sum.x()), rounded(sum.y())));
+  }
+  const double greatest = std::max(first.cwiseAbs().maxCoeff(), second.cwiseAbs().maxCoeff());
+  return {point_contact::Profile::elliptic_paraboloid(sum.x(), sum.y()),
+          HertzElliptic(modulus, sum.x(), sum.y(), load), 1 / greatest};
+}
+
+Bodies bodies_of(const PointContactOptions& options, const std::optional<ContactCase>& from_case,
+                 double modulus, double load, const UnitSystem& units) {
+  const std::string given = options.profile.text_or("sphere");
+  const bool is_height = given.starts_with("heights:");
+  if (given == "sphere") {
+    refuse_given({&options.spacing}, "--profile sphere");
+    return curved_bodies(options, from_case, modulus, load, units);
+  }
+  if (!is_height && !given.starts_with("file:")) {
+    options.profile.refuse("must be sphere, file:PATH or heights:PATH");
+  }
+  for (const RadiusFlags* flags : {&options.radius1, &options.radius2}) {
+    refuse_given({&flags->radius, &flags->along_x, &flags->along_y}, "--profile " + given);
+  }
+  const double spacing = read({{options.spacing, units.length}})[0];
+  const Eigen::ArrayXXd numbers = read_grid(given.substr(given.find(':') + 1));
+  const Eigen::ArrayXXd gaps = is_height ? (numbers.maxCoeff() - numbers).eval() : numbers;
+  return {point_contact::Profile::height_map(gaps, spacing)};
+}
+
+point_contact::Grid grid_of(const PointContactOptions& options, const Bodies& bodies,
+                            const UnitSystem& units) {
+  constexpr long usual = 256, most = 8192;
+  const long n = options.nodes.count(point_contact::min_nodes, most).value_or(usual);
+  const auto width = options.domain.positive(units.length);
+  if (!bodies.hertz) {
+    const Vector2 sides = 2 * bodies.profile.half_sides();
+    return width ? point_contact::square_grid(*width, n)
+                 : point_contact::grid_of(sides.x(), sides.y(), n);
+  }
+  const double a = bodies.hertz->semi_axis_x(), b = bodies.hertz->semi_axis_y();
+  constexpr double room = 1 / 0.9;
+  if (!width) return point_contact::grid_of(2 * room * a, 2 * room * b, n);
+  if (*width < 2 * std::max(a, b)) {
+    options.domain.refuse(fmt::format("must be greater than {} {}, the width of Hertz's contact",
+                                      rounded(2 * std::max(a, b)), units.length));
+  }
+  return point_contact::square_grid(*width, n);
+}
+
+std::vector<Quantity> quantities_of(const Bodies& bodies, const point_contact::Solution& s,
+                                    double load, const UnitSystem& units) {
+  // Of curved bodies from the pressure, of others from the area.
+  const Vector2 widths = bodies.hertz ? s.semi_axes() : s.area_semi_axes();
   std::vector<Quantity> quantities = {
-      {"half_widths", "half-width, greatest", widths[0], units.length},
-      {"half_widths", "half-width, least", widths[1], units.length},
-      {"peak_pressure", "peak pressure", s.peak_pressure(), units.stress},
-      {"approach", "approach", s.approach, units.length},
-      {"load", "load", s.load(), units.force}};
-  if (const auto& exact = input.closed_form) {
-    quantities[0].exact = std::max(exact->half_width_x, exact->half_width_y);
-    quantities[1].exact = std::min(exact->half_width_x, exact->half_width_y);
-    quantities[2].exact = exact->peak_pressure;
-    quantities[3].exact = exact->approach;
-    quantities[4].exact = exact->load;
+      {"half_widths", "half-width, greatest", units.length, widths[0]},
+      {"half_widths", "half-width, least", units.length, widths[1]},
+      {"peak_pressure", "peak pressure", units.stress, s.peak_pressure()},
+      {"approach", "approach", units.length, s.approach},
+      {"load", "load", units.force, s.load()}};
+  if (const auto& hertz = bodies.hertz) {
+    quantities[0].exact = std::max(hertz->semi_axis_x(), hertz->semi_axis_y());
+    quantities[1].exact = std::min(hertz->semi_axis_x(), hertz->semi_axis_y());
+    quantities[2].exact = hertz->peak_pressure();
+    quantities[3].exact = hertz->approach();
+    quantities[4].exact = load;
   }
   return quantities;
 }
 
-ordered_json details_of(const PointContactInput& input, const SolvedPointContact& solved) {
-  const point_contact::Solution& s = solved.solution;
-  ordered_json json = {{"contact_area", s.contact_area()},
-                       {"profile", input.profile},
-                       {"element", point_contact::name_of(s.element)},
-                       {"method", input.method},
-                       {"nodes", s.grid.n1},
-                       {"rows", s.grid.n2},
-                       {"nodes_in_contact", s.n_in_contact()},
-                       {"seconds", solved.seconds},
-                       {"work",
-                        {{"products", s.work.products},
-                         {"preconditionings", s.work.preconditionings},
-                         {"iterations", s.work.iterations},
-                         {"revisions", s.work.revisions}}},
-                       {"residuals",
-                        {{"gap", s.residuals.gap},
-                         {"separation", s.residuals.separation},
-                         {"pressure", s.residuals.pressure},
-                         {"load", s.residuals.load}}},
-                       {"contact_regions", ordered_json::array()}};
+Json details_of(const PointContactOptions& options, const point_contact::Solution& s,
+                double seconds) {
+  Json details = {{"contact_area", s.contact_area()},
+                  {"profile", options.profile.text_or("sphere")},
+                  {"element", point_contact::name_of(s.element)},
+                  {"method", options.method.text_or("fft")},
+                  {"nodes", s.grid.n1},
+                  {"rows", s.grid.n2},
+                  {"nodes_in_contact", s.n_in_contact()},
+                  {"seconds", seconds},
+                  {"work",
+                   {{"products", s.work.products},
+                    {"preconditionings", s.work.preconditionings},
+                    {"iterations", s.work.iterations},
+                    {"revisions", s.work.revisions}}},
+                  {"residuals",
+                   {{"gap", s.residuals.gap},
+                    {"separation", s.residuals.separation},
+                    {"pressure", s.residuals.pressure},
+                    {"load", s.residuals.load}}},
+                  {"contact_regions", Json::array()}};
   for (const point_contact::Region& region : point_contact::regions(s)) {
-    json["contact_regions"].push_back({{"x", region.centre.x()},
-                                       {"y", region.centre.y()},
-                                       {"load", region.load},
-                                       {"area", region.area},
-                                       {"nodes", region.n_nodes}});
+    details["contact_regions"].push_back({{"x", region.centre.x()},
+                                          {"y", region.centre.y()},
+                                          {"load", region.load},
+                                          {"area", region.area},
+                                          {"nodes", region.n_nodes}});
   }
-  return json;
+  return details;
 }
 
-// Where nobody reads the table, it has the pressures alone, which have to be finite all the same.
-Table nodes_of(const SolvedPointContact& solved, bool with_places) {
-  const point_contact::Solution& s = solved.solution;
-  if (!with_places) {
-    return {.columns = {{.key = "pressure", .numbers = to_vector(s.pressure)}},
-            .in_json = InJson::no};
-  }
-  Column x{.key = "x"};
-  Column y{.key = "y"};
+Table nodes_of(const point_contact::Solution& s) {
+  Column x{.key = "x"}, y{.key = "y"};
   for (Eigen::Index j = 0; j < s.grid.n2; ++j) {
     for (Eigen::Index i = 0; i < s.grid.n1; ++i) {
       const Vector2 at = s.grid.node(i, j);
@@ -97,124 +212,108 @@ Table nodes_of(const SolvedPointContact& solved, bool with_places) {
       y.numbers.push_back(at.y());
     }
   }
-  // Where there is no body its distance is infinite.
-  Table table{.columns = {std::move(x),
-                          std::move(y),
-                          {.key = "pressure", .numbers = to_vector(s.pressure)},
-                          {.key = "gap", .numbers = to_vector(s.gap), .may_be_infinite = true}},
-              .in_json = InJson::no};
-  return table;
+  return {x,
+          y,
+          {.key = "pressure", .numbers = to_vector(s.pressure)},
+          {.key = "gap", .numbers = to_vector(s.gap)}};
 }
 
-std::string notes_of(const PointContactInput& input, const SolvedPointContact& solved,
-                     const config::UnitSystem& units) {
-  const point_contact::Solution& s = solved.solution;
-  std::string text;
-  text += regions_text(point_contact::regions(s), [&](const point_contact::Region& region) {
-    return fmt::format("{:.6g} {} about ({:.6g}, {:.6g}) {}, {} nodes", region.load, units.force,
-                       region.centre.x(), region.centre.y(), units.length, region.n_nodes);
-  });
-  text += fmt::format("{} of {} x {} nodes in contact, {:.6g} {} apart; {}, {} elements",
-                      s.n_in_contact(), s.grid.n1, s.grid.n2, s.grid.spacing, units.length,
-                      input.method, point_contact::name_of(s.element));
-  text += fmt::format("\n{:.3g} s, {} products and {} preconditionings on these nodes\n",
-                      solved.seconds, s.work.products, s.work.preconditionings);
-  return text + residuals_text(s.residuals, units, units.force);
+void add_notes(std::vector<std::string>& notes, const PointContactOptions& options,
+               const point_contact::Solution& s, const UnitSystem& units) {
+  const auto regions = point_contact::regions(s);
+  if (regions.size() > 1) notes.push_back(fmt::format("{} regions in contact", regions.size()));
+  notes.push_back(fmt::format("{} of {} x {} nodes in contact, {:.4g} {} apart", s.n_in_contact(),
+                              s.grid.n1, s.grid.n2, s.grid.spacing, units.length));
+  notes.push_back(fmt::format("{} elements, {}", point_contact::name_of(s.element),
+                              options.method.text_or("fft")));
 }
 
-// The pressure at any point: that of the nearest node, 0 outside the grid.
-double pressure_at(const point_contact::Solution& solution, const Vector2& at) {
-  const point_contact::Grid& grid = solution.grid;
-  const auto nearest = [&](double from_middle, Eigen::Index n) {
-    return static_cast<Eigen::Index>(
-        std::llround(from_middle / grid.spacing + static_cast<double>(n - 1) / 2));
-  };
-  const Eigen::Index j = nearest(at.y(), grid.n2);
-  if (j < 0 || j >= grid.n2) return 0;
-  const Eigen::Index i = nearest(at.x(), grid.n1);
-  return i < 0 || i >= grid.n1 ? 0 : solution.pressure[grid.index(i, j)];
-}
-
-// Half the sides of the rectangle about the origin that holds the contact, with a little room.
-Vector2 half_sides_of(const point_contact::Solution& solution) {
-  const point_contact::Grid& grid = solution.grid;
-  Vector2 half = Vector2::Zero();
-  for (Eigen::Index j = 0; j < grid.n2; ++j) {
-    for (Eigen::Index i = 0; i < grid.n1; ++i) {
-      if (solution.pressure[grid.index(i, j)] > 0) half = half.cwiseMax(grid.node(i, j).cwiseAbs());
-    }
-  }
-  constexpr double room = 1.12;
-  return room * half;
-}
-
-literate::Figure point_contact_figure(const PointContactInput& input,
-                                      const SolvedPointContact& solved,
-                                      const config::UnitSystem& units) {
-  const point_contact::Solution& s = solved.solution;
-  const Vector2 half = half_sides_of(s);
-
-  constexpr int n_across = 200;
-  std::vector<double> x, y, pressure;
-  for (int j = 0; j < n_across; ++j) {
-    for (int i = 0; i < n_across; ++i) {
-      x.push_back(place(i, n_across, -half.x(), half.x()));
-      y.push_back(place(j, n_across, -half.y(), half.y()));
-      pressure.push_back(pressure_at(s, {x.back(), y.back()}));
-    }
-  }
-  literate::Figure figure{.width_cm = 20,
-                          .height_cm = 9,
-                          .data = {{"surface", {{"x", x}, {"y", y}, {"pressure", pressure}}}},
-                          .numbers = {{"half_x", half.x()}, {"half_y", half.y()}},
-                          .texts = {{"unit", units.length}, {"stress_unit", units.stress}}};
-
+// The pressure along the two axes, and Hertz's if there is one.
+Picture picture_of(const Bodies& bodies, const point_contact::Solution& s,
+                   const UnitSystem& units) {
+  Picture picture{
+      fmt::format("x, y ({})", units.length), fmt::format("pressure ({})", units.stress), {}};
   for (const int axis : {0, 1}) {
-    const auto along = [&](int n, const std::function<double(double)>& of_place) {
-      return curve("s", "pressure", n, -half[axis], half[axis], of_place);
-    };
-    figure.data[axis == 0 ? "along_x" : "along_y"] =
-        along(61, [&](double at) { return pressure_at(s, at * Vector2::Unit(axis)); });
-    if (!input.is_curved || !input.closed_form) continue;
-    const PointClosedForm& exact = *input.closed_form;
-    const double width = axis == 0 ? exact.half_width_x : exact.half_width_y;
-    figure.data[axis == 0 ? "closed_x" : "closed_y"] = along(401, [&](double at) {
-      const double share = at / width;
-      return exact.peak_pressure * std::sqrt(std::max(0.0, 1 - share * share));
-    });
+    const std::string name = axis == 0 ? "along x" : "along y";
+    Curve curve{name, !bodies.hertz, {}, {}};
+    for (Eigen::Index k = 0; k < (axis == 0 ? s.grid.n1 : s.grid.n2); ++k) {
+      const Eigen::Index i = axis == 0 ? k : s.grid.n1 / 2, j = axis == 0 ? s.grid.n2 / 2 : k;
+      curve.x.push_back(s.grid.node(i, j)[axis]);
+      curve.y.push_back(s.pressure[s.grid.index(i, j)]);
+    }
+    if (bodies.hertz) {
+      picture.curves.push_back(
+          line("Hertz, " + name, curve.x.front(), curve.x.back(),
+               [&](double at) { return bodies.hertz->pressure(at * Vector2::Unit(axis)); }));
+    }
+    picture.curves.push_back(curve);
   }
-  return figure;
+  return picture;
 }
 
-ExitCode run(const PointContactCommandOptions& options) {
-  const auto from_file = case_of(options.contact.case_file());
-  const config::UnitSystem units = options.output.units(from_file);
-  require_folder_of("--field", options.field_file);
-  const PointContactInput input = options.contact.read(from_file);
-  const SolvedPointContact solved = solve(input);
-  const Result result{
-      .quantities = quantities_of(input, solved, units),
-      .closed_form = input.closed_form ? input.closed_form->name : "",
-      .details = details_of(input, solved),
-      .tables = {nodes_of(solved, options.output.is_csv() || !options.field_file.empty())},
-      .notes = notes_of(input, solved, units),
-      .warnings = validity_warnings(input, solved),
-      .script = "point-contact",
-      .figure = [&] { return point_contact_figure(input, solved, units); }};
-  require_finite(result);
-  if (!options.field_file.empty()) {
-    sys::write_file_atomically(options.field_file, csv_text(result.tables.front()));
-  }
-  return options.output.print(result);
+ExitCode run(const PointContactOptions& options) {
+  const Given given = options.output.given();
+  const UnitSystem& units = given.units;
+  if (options.field.is_given()) require_folder_of(options.field);
+  std::optional<ContactCase> from_case;
+  if (given.file) from_case = given.file->contact();
+  Result result{.table_in_json = InJson::nothing,
+                .units = {{"half_widths", units.length},
+                          {"peak_pressure", units.stress},
+                          {"approach", units.length},
+                          {"load", units.force},
+                          {"contact_area", units.length + "^2"}}};
+  const auto [material1, material2] = options.materials.read(from_case, units.stress, result.notes);
+  const double modulus = elasticity::contact_modulus(material1, material2);
+  const double load = read({{options.load, units.force}})[0];
+  const Bodies bodies = bodies_of(options, from_case, modulus, load, units);
+  const point_contact::Problem problem{
+      bodies.profile, modulus, grid_of(options, bodies, units),
+      options.element.choice_or(Element::pyramid,
+                                {{"pyramid", Element::pyramid}, {"uniform", Element::uniform}})};
+  const bool is_variational =
+      options.method.choice_or(false, {{"fft", false}, {"variational", true}});
+  const double tolerance = options.tolerance.positive("1").value_or(1e-8);
+
+  const command_line::Stopwatch stopwatch;
+  const point_contact::Solution s =
+      naming({&options.nodes, &options.domain, &options.tolerance}, [&] {
+        return is_variational ? point_contact::solve_by_variational_method(problem, load, tolerance)
+                              : point_contact::solve_for_load(problem, load, tolerance);
+      });
+  const double seconds = stopwatch.seconds();
+  result.quantities = quantities_of(bodies, s, load, units);
+  result.digits = earned_digits(contact::relative_error(s.resolution()), result.digits);
+  result.is_hertz = bodies.hertz.has_value();
+  result.details = details_of(options, s, seconds);
+  result.warnings = half_space_warnings(result.quantities[0].value, bodies.least_radius);
+  const std::string coarse = contact::resolution_warning(s.resolution());
+  if (!coarse.empty()) result.warnings.push_back(coarse);
+  add_notes(result.notes, options, s, units);
+  if (options.output.is_csv() || options.field.is_given()) result.table = nodes_of(s);
+  if (options.field.is_given())
+    sys::write_file_atomically(options.field.text(), csv_of(result.table));
+  return options.output.print(result, [&] { return picture_of(bodies, s, units); });
 }
 
 }  // namespace
 
 void add_point_contact_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<PointContactCommandOptions>(
-      program, "point-contact",
-      "Two bodies pressed together at a point: pressure and gap on a plane of nodes", exit_code,
-      run);
+  const CommandText text{
+      "point-contact",
+      R"(Hertz point contact: two spheres, ellipsoids or a rough surface pressed together at a point. The
+pressure and the gap on a plane of nodes stand beside Hertz's closed form; a surface may also be a
+measured height map.)",
+      R"(  A steel ball of radius 10 mm on a steel plane, 100 N:
+    halfspace point-contact --radius1 10 --load 100
+  A steel ball in an aluminium groove, drawn in a file:
+    halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 --load 50 \
+      --young1 210GPa --poisson1 0.3 --young2 70GPa --poisson2 0.33 --plot p.pdf
+  A measured surface, points 5 um apart, under a flat; pressures in a file:
+    halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \
+      --field pressure.csv
+)"};
+  add_command<PointContactOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

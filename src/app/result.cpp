@@ -4,199 +4,210 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <iterator>
 
-#include "command_line/options.hpp"
+#include "app/flags.hpp"
+#include "system/error.hpp"
 
 namespace app {
 namespace {
 
-using command_line::finite_result;
-using nlohmann::ordered_json;
-
-// Both zeros are printed without a sign.
-double without_sign_of_zero(double number) {
-  return number + 0.0;
+// A million numbers take a tenth of a second, since nothing is allocated for each.
+void append(std::string& text, double number) {
+  std::array<char, 32> digits;
+  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  text.append(digits.data(), result.ptr);
 }
 
-bool is_for_programs(const Column& column) {
-  return !column.key.empty() && !column.is_absent;
+void append_json(std::string& text, double number) {
+  if (std::isfinite(number)) {
+    append(text, number);
+  } else {
+    text += "null";
+  }
 }
 
-bool is_for_people(const Table& table) {
-  return std::ranges::any_of(table.columns, [](const Column& c) { return !c.heads.empty(); });
+void append_json(std::string& text, const std::vector<double>& numbers) {
+  text += '[';
+  for (const double& number : numbers) {
+    if (&number != numbers.data()) text += ", ";
+    append_json(text, number);
+  }
+  text += ']';
+}
+
+// nlohmann's own dump() misses the shortest digits about once in a thousand numbers.
+void append_json(std::string& text, const Json& value, const std::string& indent) {
+  if (value.is_number_float()) return append_json(text, value.get<double>());
+  if (!value.is_structured()) {
+    text += value.dump();
+    return;
+  }
+  if (value.is_array() && !value.empty() && value[0].is_number()) {
+    return append_json(text, value.get<std::vector<double>>());
+  }
+  const bool is_on_one_line = !value.empty() && value.front().is_string();  // the units
+  const std::string separator = is_on_one_line ? " " : "\n" + indent + "  ";
+  text += value.is_object() ? '{' : '[';
+  bool is_first = true;
+  for (const auto& [key, element] : value.items()) {
+    if (!is_first) text += ',';
+    if (!is_first || !is_on_one_line) text += separator;
+    if (value.is_object()) text += Json(key).dump() + ": ";
+    append_json(text, element, indent + "  ");
+    is_first = false;
+  }
+  if (!is_first && !is_on_one_line) text += "\n" + indent;
+  text += value.is_object() ? '}' : ']';
 }
 
 std::size_t n_rows_of(const Table& table) {
   std::size_t n = 0;
-  for (const Column& c : table.columns) n = std::max({n, c.numbers.size(), c.texts.size()});
+  for (const Column& column : table) n = std::max({n, column.numbers.size(), column.cells.size()});
   return n;
 }
 
-void require_finite(const Table& table) {
-  const Column& first = table.columns.front();
-  for (const Column& column : table.columns) {
-    if (!is_for_programs(column) || column.may_be_infinite || !column.texts.empty()) continue;
-    for (std::size_t i = 0; i < column.numbers.size(); ++i) {
-      if (std::isfinite(column.numbers[i])) continue;
-      finite_result(&column == &first ? column.key
-                    : first.texts.empty()
-                        ? fmt::format("{} at {} = {}", column.key, first.key, first.numbers[i])
-                        : fmt::format("{} of {}", column.key, first.texts[i]),
-                    column.numbers[i]);
-    }
+Table table_of(const Result& result) {
+  Column labels{.key = "", .heads = {""}};
+  Column values{.key = "", .heads = {"elements"}, .numbers = {0}};
+  Column exact{.key = "", .heads = {result.is_hertz ? "Hertz" : ""}, .numbers = {0}};
+  Column differences{.key = "", .heads = {result.is_hertz ? "difference" : ""}, .numbers = {0}};
+  for (const Quantity& quantity : result.quantities) {
+    labels.cells.push_back(fmt::format("{} ({})", quantity.label, quantity.unit));
+    values.cells.push_back(fmt::format("{:.{}g}", quantity.value, result.digits));
+    exact.cells.emplace_back();
+    differences.cells.emplace_back();
+    if (!quantity.exact) continue;
+    exact.cells.back() = fmt::format("{:.7g}", *quantity.exact);
+    differences.cells.back() =
+        fmt::format("{:.1g} %", 100 * std::abs(quantity.value / *quantity.exact - 1));
   }
-}
-
-void require_finite(const std::string& name, const ordered_json& value) {
-  if (value.is_number_float()) finite_result(name, value.get<double>());
-  if (!value.is_structured()) return;
-  for (const auto& [key, element] : value.items()) {
-    require_finite(value.is_object() ? key : name, element);
-  }
-}
-
-bool is_flat(const ordered_json& value) {
-  return std::ranges::none_of(value, [](const auto& element) { return element.is_structured(); });
-}
-
-std::string indented(const ordered_json& value, const std::string& indent) {
-  if (value.is_number_float()) {
-    return command_line::shortest(finite_result("a number of the JSON", value.get<double>()));
-  }
-  if (!value.is_structured()) return value.dump();
-  const bool on_one_line = value.is_array() && is_flat(value);
-  const std::string inner = on_one_line ? "" : "\n" + indent + "  ";
-  std::string text;
-  for (const auto& [key, element] : value.items()) {
-    text += text.empty() ? inner : "," + (on_one_line ? std::string(" ") : inner);
-    if (value.is_object()) text += ordered_json(key).dump() + ": ";
-    text += indented(element, indent + "  ");
-  }
-  if (!on_one_line && !text.empty()) text += "\n" + indent;
-  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
-}
-
-// The cells of a row from the column `first` on.
-ordered_json row_of(const Table& table, std::size_t i, std::size_t first) {
-  ordered_json row = ordered_json::object();
-  for (std::size_t k = first; k < table.columns.size(); ++k) {
-    const Column& column = table.columns[k];
-    if (!is_for_programs(column) || column.may_be_infinite) continue;
-    if (column.texts.empty()) {
-      row[column.key] = without_sign_of_zero(column.numbers[i]);
-    } else {
-      row[column.key] = column.texts[i];
-    }
-  }
-  return row;
-}
-
-ordered_json rows_of(const Table& table) {
-  ordered_json rows = ordered_json::array();
-  for (std::size_t i = 0, n = n_rows_of(table); i < n; ++i) rows.push_back(row_of(table, i, 0));
-  return rows;
-}
-
-// Several numbers under one name are an array.
-void add(ordered_json& json, const std::string& name, double number) {
-  if (!json.contains(name)) {
-    json[name] = number;
-    return;
-  }
-  ordered_json& value = json[name];
-  if (!value.is_array()) value = ordered_json::array({value});
-  value.push_back(number);
-}
-
-void add(ordered_json& json, const Table& table) {
-  switch (table.in_json) {
-    case InJson::no:
-      break;
-    case InJson::rows:
-      json[table.name] = rows_of(table);
-      break;
-    case InJson::columns:
-      for (const Column& column : table.columns) {
-        if (!is_for_programs(column) || column.may_be_infinite) continue;
-        std::vector<double> numbers = column.numbers;
-        for (double& number : numbers) number = without_sign_of_zero(number);
-        json[column.key] = numbers;
-      }
-      break;
-    case InJson::by_text:
-      for (std::size_t i = 0, n = n_rows_of(table); i < n; ++i) {
-        json[table.name][table.columns[0].texts[i]] = row_of(table, i, 1);
-      }
-      break;
-  }
-}
-
-std::string cell_of(const Column& column, std::size_t i) {
-  if (column.is_absent) return "-";
-  if (!column.texts.empty()) return column.texts[i];
-  return fmt::format(fmt::runtime(column.format), without_sign_of_zero(column.numbers[i]));
-}
-
-std::string aligned(const Column& column, const std::string& cell) {
-  return column.width < 0 ? fmt::format("{:<{}}", cell, -column.width)
-                          : fmt::format("{:>{}}", cell, column.width);
+  return {labels, values, exact, differences};
 }
 
 std::string text_of(const Table& table) {
+  std::vector<std::string> lines;
+  for (const Column& column : table) {
+    if (column.heads.empty()) continue;
+    std::vector<std::string> cells = column.heads;
+    cells.insert(cells.end(), column.cells.begin(), column.cells.end());
+    lines.resize(cells.size());
+    std::size_t width = 0;
+    for (const std::string& cell : cells) width = std::max(width, cell.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (&column != table.data()) lines[i] += "  ";
+      lines[i] += column.numbers.empty() ? fmt::format("{:<{}}", cells[i], width)
+                                         : fmt::format("{:>{}}", cells[i], width);
+    }
+  }
   std::string text;
-  for (std::size_t line = 0; line < table.columns.front().heads.size(); ++line) {
-    for (const Column& column : table.columns) text += aligned(column, column.heads[line]);
-    text += '\n';
-  }
-  for (std::size_t i = 0, n = n_rows_of(table); i < n; ++i) {
-    for (const Column& column : table.columns) text += aligned(column, cell_of(column, i));
-    text += '\n';
-  }
+  for (const std::string& line : lines)
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
   return text;
 }
 
-std::string text_of(const Quantity& quantity) {
-  const std::string begin = fmt::format("{:<22}{:>16.9g}", quantity.label, quantity.value);
-  if (!quantity.exact) return fmt::format("{}  {}\n", begin, quantity.unit);
-  const double exact = *quantity.exact;
-  if (!std::isfinite(exact)) {
-    return fmt::format("{}{:>16}  {:>10}  {}\n", begin, "infinite", "", quantity.unit);
+// Two numbers of one key are an array.
+void add(Json& json, const std::string& key, double number) {
+  if (json.contains(key)) {
+    json[key] = {json[key], number};
+  } else {
+    json[key] = number;
   }
-  return fmt::format("{}{:>16.9g}  {:>10.1e}  {}\n", begin, exact, quantity.value / exact - 1,
-                     quantity.unit);
+}
+
+Json rows_of(const Result& result) {
+  Json rows = Json::array();
+  for (std::size_t i = 0, n = n_rows_of(result.table); i < n; ++i) {
+    rows.emplace_back();
+    for (const Column& column : result.table) {
+      if (!column.key.empty()) rows.back()[column.key] = column.numbers[i];
+    }
+    rows.back()["units"] = result.units;
+  }
+  return rows;
 }
 
 }  // namespace
 
-void require_finite(const Result& result) {
-  for (const Quantity& quantity : result.quantities) {
-    finite_result(quantity.key.empty() ? quantity.label : quantity.key, quantity.value);
-    if (quantity.exact) finite_result(quantity.key + " / exact", quantity.value / *quantity.exact);
+Column aligned_column(const std::string& key, const std::vector<std::string>& heads,
+                      const std::string& unit, std::vector<double> numbers, double largest,
+                      int digits) {
+  const int place = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
+  constexpr int least_place = -2, greatest_place = 5;
+  const bool is_scaled = place < least_place || place > greatest_place;
+  const int exponent = is_scaled ? 3 * static_cast<int>(std::floor(place / 3.0)) : 0;
+  const double factor = std::pow(10.0, -exponent);
+  const int n_decimals = std::max(0, digits - 1 - (place - exponent));
+
+  const std::string power = is_scaled ? fmt::format("1e{}", exponent) : "";
+  const bool is_alone = is_scaled && unit == "1";
+  Column column{.key = key, .heads = heads, .numbers = std::move(numbers)};
+  column.heads.push_back("[" + power + (is_alone ? "" : is_scaled ? " " + unit : unit) + "]");
+  for (const double number : column.numbers) {
+    std::string cell = fmt::format("{:.{}f}", number * factor, n_decimals);
+    if (cell.find_first_of("123456789") == std::string::npos && cell[0] == '-') cell.erase(0, 1);
+    if (std::isinf(number)) cell = number < 0 ? "-infinite" : "infinite";
+    if (std::isnan(number)) cell = "no limit";
+    column.cells.push_back(cell);
   }
-  require_finite("a number", result.details);
-  for (const Table& table : result.tables) require_finite(table);
+  return column;
 }
 
-std::string csv_text(const Table& table) {
-  std::vector<const Column*> columns;
-  for (const Column& column : table.columns) {
-    if (is_for_programs(column)) columns.push_back(&column);
+double greatest(const std::vector<double>& numbers) {
+  double greatest = 0;
+  for (const double number : numbers) {
+    if (std::isfinite(number)) greatest = std::max(greatest, std::abs(number));
   }
+  return greatest;
+}
+
+Column column_of_places(const std::string& key, const std::string& unit,
+                        std::vector<double> numbers) {
+  Column column{.key = key, .heads = {key, "", "[" + unit + "]"}, .numbers = std::move(numbers)};
+  for (const double number : column.numbers) column.cells.push_back(rounded(number));
+  return column;
+}
+
+int earned_digits(double rel_error, int most) {
+  constexpr double fewest = 3;
+  if (!(rel_error > 0)) return most;
+  return static_cast<int>(std::clamp(std::ceil(-std::log10(rel_error)), fewest, double(most)));
+}
+
+void require_finite(const std::string& what, double number) {
+  if (std::isfinite(number)) return;
+  throw sys::InputError(what +
+                        ": not a finite number; the parameters are beyond the range of a double");
+}
+
+std::string text_of(const Result& result) {
+  std::string text = result.quantities.empty() ? "" : text_of(table_of(result));
+  text += text_of(result.table);
+  for (const std::string& note : result.notes) text += note + '\n';
+  return text;
+}
+
+std::string csv_of(const Table& table) {
   std::string text;
-  for (const Column* column : columns) text += (text.empty() ? "" : ",") + column->key;
+  std::vector<const Column*> columns;
+  for (const Column& column : table) {
+    if (column.key.empty()) continue;
+    text += (columns.empty() ? "" : ",") + column.key;
+    columns.push_back(&column);
+  }
   text += '\n';
-  constexpr std::size_t usual_cell = 18;
+  constexpr std::size_t usual_cell = 22;
   const std::size_t n_rows = n_rows_of(table);
-  text.reserve(usual_cell * columns.size() * n_rows);
+  text.reserve(text.size() + usual_cell * columns.size() * n_rows);
   for (std::size_t i = 0; i < n_rows; ++i) {
     for (const Column* column : columns) {
       if (column != columns.front()) text += ',';
-      if (column->texts.empty()) {
-        text += fmt::format("{}", without_sign_of_zero(column->numbers[i]));
+      if (column->numbers.empty()) {
+        text += column->cells[i];
       } else {
-        text += column->texts[i];
+        append(text, column->numbers[i]);
       }
     }
     text += '\n';
@@ -204,38 +215,41 @@ std::string csv_text(const Table& table) {
   return text;
 }
 
-std::string json_text(const ordered_json& value) {
-  return indented(value, "") + "\n";
-}
-
 std::string json_of(const Result& result) {
-  if (result.quantities.empty() && result.details.empty()) {
-    return json_text(rows_of(result.tables.front()));
+  std::string text;
+  if (result.table_in_json == InJson::rows) {
+    append_json(text, rows_of(result), "");
+    text += '\n';
+    return text;
   }
-  ordered_json json;
-  ordered_json exact;
+  Json json, hertz;
   for (const Quantity& quantity : result.quantities) {
-    if (quantity.key.empty()) continue;
     add(json, quantity.key, quantity.value);
-    if (quantity.exact && std::isfinite(*quantity.exact)) add(exact, quantity.key, *quantity.exact);
+    if (quantity.exact) add(hertz, quantity.key, *quantity.exact);
   }
-  if (!result.details.empty()) json.update(result.details);
-  if (!result.closed_form.empty()) json[result.closed_form] = exact;
-  for (const Table& table : result.tables) add(json, table);
-  return json_text(json);
+  if (result.is_hertz) json["hertz"] = hertz;
+  json.update(result.details);
+  json["units"] = result.units;
+  append_json(text, json, "");
+  if (result.table_in_json == InJson::columns) {
+    // Columns may be long, so they do not pass through a tree of values.
+    constexpr std::size_t usual_number = 22;
+    text.resize(text.size() - 2);
+    text.reserve(text.size() + usual_number * result.table.size() * n_rows_of(result.table));
+    for (const Column& column : result.table) {
+      text += fmt::format(",\n  \"{}\": ", column.key);
+      append_json(text, column.numbers);
+    }
+    text += "\n}";
+  }
+  text += '\n';
+  return text;
 }
 
-std::string text_for_people(const Result& result) {
-  std::string text;
-  if (!result.closed_form.empty()) {
-    text = fmt::format("{:<22}{:>16}{:>16}  {:>10}\n", "", "elements",
-                       result.closed_form == "hertz" ? "Hertz" : "closed form", "difference");
-  }
-  for (const Quantity& quantity : result.quantities) text += text_of(quantity);
-  for (const Table& table : result.tables) {
-    if (is_for_people(table)) text += text_of(table);
-  }
-  return text + result.notes;
+std::vector<double> to_vector(const Eigen::VectorXd& numbers) {
+  std::vector<double> vector(numbers.data(), numbers.data() + numbers.size());
+  for (double& number : vector) number += 0.0;
+  return vector;
 }
 
 }  // namespace app

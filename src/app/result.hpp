@@ -1,87 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a command has found, said once. CSV, JSON, text and picture follow from it.
+// What a command has found. The text for people, CSV and JSON follow from it. A number may be
+// infinite, or have no limit and so be NaN: CSV then has inf or nan, and JSON null.
 #pragma once
 
-#include <functional>
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "literate/figures/figure.hpp"
-
 namespace app {
+
+using Json = nlohmann::ordered_json;
 
 /// A column of a table: numbers, or texts.
 struct Column {
   std::string key;                      ///< in CSV and JSON; empty if only people see it
-  std::vector<std::string> heads = {};  ///< above it for people; none if only programs see it
-  int width = 0;                        ///< for people, with blanks before it; < 0 to the left
-  std::string format = "{}";            ///< of its numbers for people
-  std::vector<double> numbers = {};     ///< as many in each column
-  std::vector<std::string> texts = {};  ///< or these
-  bool is_absent = false;               ///< people see dashes, programs nothing
-  bool may_be_infinite = false;         ///< CSV says inf; JSON, which cannot, leaves it out
+  std::vector<std::string> heads = {};  ///< lines above it for people; none if they do not see it
+  std::vector<double> numbers = {};
+  std::vector<std::string> cells = {};  ///< what people read; a column of texts has only these
 };
 
-/// A column with a number of each row.
-template <class Rows, class OfRow>
-Column column_of(const Rows& rows, std::string key, std::vector<std::string> heads, int width,
-                 std::string format, const OfRow& of_row) {
-  Column column{std::move(key), std::move(heads), width, std::move(format)};
-  for (const auto& row : rows) column.numbers.push_back(of_row(row));
-  return column;
-}
-
-enum class InJson {
-  no,
-  rows,     ///< an array of objects; alone in a result, it is all of the JSON
-  columns,  ///< an array for each column
-  by_text   ///< an object for each row, under the text of the first column
-};
-
-struct Table {
-  std::vector<Column> columns;
-  InJson in_json = InJson::rows;
-  std::string name = {};  ///< in JSON, unless it stands in columns
-};
+using Table = std::vector<Column>;
 
 /// One number of a result, with that of the closed form beside it, if there is one.
 struct Quantity {
-  std::string key;    ///< in JSON, where numbers of one key are an array; empty for people only
-  std::string label;  ///< for people
-  double value;
+  std::string key;  ///< in JSON, where two numbers of one key are an array
+  std::string label;
   std::string unit;
-  std::optional<double> exact = {};  ///< may be infinite
+  double value;
+  std::optional<double> exact = std::nullopt;
 };
+
+/// What JSON has of a table: an array for each column, an array of rows and nothing else, or
+/// nothing at all.
+enum class InJson { columns, rows, nothing };
 
 struct Result {
   std::vector<Quantity> quantities = {};
-  std::string closed_form = {};         ///< in JSON the name of the numbers of the closed form
-  nlohmann::ordered_json details = {};  ///< what else JSON says
-  std::vector<Table> tables = {};       ///< the first is the CSV
-  std::string notes = {};               ///< what else people read, below the tables
+  int digits = 7;         ///< significant ones of the quantities, for people
+  bool is_hertz = false;  ///< whether the closed forms are Hertz's
+  Json details = {};      ///< what else JSON has
+  Table table = {};       ///< the CSV, and for people the columns with heads
+  InJson table_in_json = InJson::columns;
+  Json units = {};                      ///< in JSON: of keys, or of kinds of keys
+  std::vector<std::string> notes = {};  ///< lines below what people read
   std::vector<std::string> warnings = {};
-  std::string script = {};                        ///< of the picture
-  std::function<literate::Figure()> figure = {};  ///< empty if there is nothing to draw
 };
 
-/// Throws sys::InputError naming a number of the result that is not finite.
-void require_finite(const Result& result);
+/// A column that people read too, aligned, with as many decimals as give `largest` this many
+/// significant digits. If that is large or small, all numbers are divided by a power of ten that
+/// stands before the unit. Infinite is "infinite", NaN "no limit".
+Column aligned_column(const std::string& key, const std::vector<std::string>& heads,
+                      const std::string& unit, std::vector<double> numbers, double largest,
+                      int digits);
 
-/// A header and a row a line, numbers with the shortest digits that round-trip.
-std::string csv_text(const Table& table);
+/// The greatest magnitude among the finite numbers.
+double greatest(const std::vector<double>& numbers);
 
-/// Quantities, details, closed form and tables under their names, indented.
+/// A column of places, with six digits of each at most.
+Column column_of_places(const std::string& key, const std::string& unit,
+                        std::vector<double> numbers);
+
+/// Significant digits of a number with this relative error, from 3 to `most`.
+int earned_digits(double rel_error, int most);
+
+/// Throws sys::InputError naming a number that has overflowed.
+void require_finite(const std::string& what, double number);
+
+/// Quantities beside their closed forms, table, and notes, in 80 columns.
+std::string text_of(const Result& result);
+
+/// A header and one line per row, numbers with the shortest digits that read back.
+std::string csv_of(const Table& table);
+
+/// Quantities, closed forms, details, columns and units under their keys, with such digits too.
 std::string json_of(const Result& result);
 
-/// A JSON value with the shortest digits that round-trip for every number. (nlohmann's own dump()
-/// uses Grisu2, which misses the shortest about once in a thousand.) Throws sys::InputError for a
-/// number that is not finite, which JSON cannot say.
-std::string json_text(const nlohmann::ordered_json& value);
-
-/// Quantities beside their closed forms, aligned tables, and notes.
-std::string text_for_people(const Result& result);
+/// The numbers at the nodes, for a column; zeros without a sign.
+std::vector<double> to_vector(const Eigen::VectorXd& numbers);
 
 }  // namespace app

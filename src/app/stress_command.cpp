@@ -1,150 +1,213 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
-#include <optional>
-#include <vector>
+#include <cmath>
+#include <limits>
 
 #include "app/commands.hpp"
-#include "app/contact_options.hpp"
-#include "app/csv_files.hpp"
-#include "line_contact/cylinders.hpp"
-#include "line_contact/solution.hpp"
+#include "app/contact.hpp"
+#include "app/loads.hpp"
+#include "elasticity/stress_beneath.hpp"
+#include "system/error.hpp"
 
 namespace app {
 namespace {
 
-struct StressCommandOptions {
-  explicit StressCommandOptions(CLI::App& command) : contact(command) {
-    add_text(command, "--x", x, "LIST", "Positions along the surface, as 0,0.01");
-    add_text(command, "--z", z, "LIST", "Depths; every x is taken with every z");
-    add_text(command, "--points", points, "FILE", "Or a CSV file with the columns x,z");
-    add_choice(command, "--body", body, {"1", "2"}, "Which of the two bodies");
-    output.add_to(command);
-  }
+using elasticity::Stress;
 
-  ContactOptions contact;
-  std::string x, z, points;
-  std::string body = "1";
-  Output output;
+struct StressOptions {
+  CLI::App& command;
+  LoadFlags load{command, "--shape", Shapes::of_finite_width};
+  ContactFlags contact{command};
+  Flag x{command, "--x", "LENGTH", "Points", "Positions along the surface, a list or a range [0]"};
+  Flag z{command, "--z", "LENGTH", "Points",
+         "Depths, a list or a range; every x is taken with every z [to twice the half-width]"};
+  Flag body{command, "--body", "1|2", "Points", "In which of the two bodies of a contact [1]"};
+  Output output{command, "[contact], or [half_space] with --shape"};
 };
+
+// The stresses beneath what presses on the body, as a function of (x, z).
+struct Pressed {
+  std::function<Stress(double, double)> stress, mcewen;  // McEwen's for cylinders alone
+  double half_width;
+  double peak_pressure;
+  Material material;
+  std::vector<std::string> notes = {}, warnings = {};
+};
+
+Pressed pressed_by_load(const StressOptions& options, const Given& given) {
+  std::optional<parameters::HalfSpaceCase> from_case;
+  if (given.file) from_case = given.file->half_space();
+  const ContactFlags& contact = options.contact;
+  refuse_given({&contact.load, &contact.radius1, &contact.radius2, &contact.profile, &contact.nodes,
+                &contact.domain, &contact.method, &options.body},
+               options.load.name());
+  const ChosenLoad load =
+      options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), given.units);
+  std::vector<std::string> assumed;
+  const Material material = material_of({&contact.materials.both},
+                                        of_case(from_case, &parameters::HalfSpaceCase::material),
+                                        given.units.stress, assumed);
+  const auto [least, greatest] = std::ranges::minmax(load.pressure);
+  const auto stress = [load](double x, double z) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (z == 0 && load.jump_at(x) != 0) return Stress{none, none, none};
+    return elasticity::stress_beneath(load.x, load.pressure, x, z);
+  };
+  return {stress, {}, load.reach(), std::max(-least, greatest), material, note_of(assumed)};
+}
+
+Pressed pressed_by_contact(const StressOptions& options, const Given& given) {
+  const LoadFlags& load = options.load;
+  refuse_given({&load.peak_pressure, &load.half_width}, "a contact; --shape gives a pressure");
+  if (options.contact.element.text_or("triangular") != "triangular") {
+    options.contact.element.refuse("stresses need triangular elements");
+  }
+  const bool is_second = options.body.choice_or(false, {{"1", false}, {"2", true}});
+  const SolvedContact solved = options.contact.solve(given);
+  Pressed pressed{
+      [s = solved.solution](double x, double z) { return line_contact::stress_beneath(s, x, z); },
+      {},
+      solved.half_width(),
+      solved.solution.peak_pressure(),
+      is_second ? solved.material2 : solved.material1,
+      solved.notes,
+      solved.warnings};
+  if (solved.hertz) {
+    pressed.mcewen = [mcewen = line_contact::McEwen(*solved.hertz)](double x, double z) {
+      return mcewen.stress(x, z);
+    };
+  }
+  return pressed;
+}
 
 struct Point {
-  double x;
-  double z;
-  elasticity::Stress stress;
-  std::optional<elasticity::Stress> mcewen;
+  double x, z;
+  Stress stress;
+  double mcewen;  // his greatest shear in the plane
 };
 
-std::vector<Point> points_of(const StressCommandOptions& options) {
-  std::vector<Point> points;
-  const bool is_list = !options.x.empty() || !options.z.empty();
-  refuse_if(is_list == !options.points.empty(), "give either --x and --z, or --points");
-  refuse_if(is_list && options.x.empty(), "--x is missing");
-  refuse_if(is_list && options.z.empty(), "--z is missing");
-  if (!options.points.empty()) {
-    const CsvColumns columns = read_columns(options.points, "x", "z");
-    for (std::size_t i = 0; i < columns.first.size(); ++i) {
-      points.push_back({columns.first[i], columns.second[i], {}, {}});
-    }
-    return points;
+std::vector<Point> points_of(const StressOptions& options, const Pressed& pressed,
+                             const std::string& length) {
+  constexpr int n = 20;
+  std::vector<double> x = options.x.quantities(length), z = options.z.quantities(length);
+  if (x.empty()) x = {0};
+  if (z.empty()) {
+    const double step = parse_number("", fmt::format("{:.1e}", 2 * pressed.half_width / n));
+    z = evenly_spaced(0, step, n + 1);
   }
-  for (const double z : parse_numbers("--z", options.z)) {
-    for (const double x : parse_numbers("--x", options.x)) points.push_back({x, z, {}, {}});
+  std::vector<Point> points;
+  for (const double depth : z) {
+    if (!(depth >= 0)) options.z.refuse("depths must be 0 or greater");
+    for (const double at : x) {
+      points.push_back({at, depth, pressed.stress(at, depth),
+                        pressed.mcewen ? pressed.mcewen(at, depth).max_shear() : 0});
+    }
   }
   return points;
 }
 
-void compute(std::vector<Point>& points, const ContactInput& input, const SolvedContact& solved) {
-  std::optional<line_contact::McEwen> mcewen;
-  if (input.hertz) mcewen.emplace(*input.hertz);
-  for (Point& point : points) {
-    point.stress = line_contact::stress_beneath(solved.solution, point.x, point.z);
-    if (mcewen) point.mcewen = mcewen->stress(point.x, point.z);
-  }
-}
-
-Table table_of(const std::vector<Point>& points, double poisson, const config::UnitSystem& units) {
-  const std::string length = fmt::format("[{}]", units.length);
-  const std::string stress = fmt::format("[{}]", units.stress);
-  Table table;
-  const auto add = [&](const char* key, std::vector<std::string> heads, int width,
-                       const auto& of_point) {
-    table.columns.push_back(column_of(points, key, std::move(heads), width, "{:.6g}", of_point));
+Table table_of(const std::vector<Point>& points, const Pressed& pressed,
+               const config::UnitSystem& units) {
+  const double nu = pressed.material.poisson();
+  const auto column = [&](const auto& of_point) {
+    std::vector<double> numbers;
+    for (const Point& point : points) numbers.push_back(of_point(point) + 0.0);
+    return numbers;
   };
-  add("x", {"x", length}, 12, [](const Point& p) { return p.x; });
-  add("z", {"z", length}, 12, [](const Point& p) { return p.z; });
-  add("stress_xx", {"stress xx", stress}, 14, [](const Point& p) { return p.stress.xx; });
-  add("stress_zz", {"stress zz", stress}, 14, [](const Point& p) { return p.stress.zz; });
-  add("stress_xz", {"stress xz", stress}, 14, [](const Point& p) { return p.stress.xz; });
-  add("max_shear", {"max shear", stress}, 14, [](const Point& p) { return p.stress.max_shear(); });
-  add("von_mises", {"von Mises", stress}, 14,
-      [&](const Point& p) { return p.stress.von_mises(poisson); });
-  if (!points.empty() && points.front().mcewen) {
-    add("mcewen_max_shear", {"McEwen", "max shear"}, 14,
-        [](const Point& p) { return p.mcewen->max_shear(); });
+  Table table = {column_of_places("x", units.length, column([](const Point& p) { return p.x; })),
+                 column_of_places("z", units.length, column([](const Point& p) { return p.z; }))};
+  const auto add = [&](const char* key, const char* head, const char* second,
+                       const auto& of_stress) {
+    constexpr int digits = 5;
+    table.push_back(aligned_column(key, {head, second}, units.stress,
+                                   column([&](const Point& p) { return of_stress(p.stress); }),
+                                   pressed.peak_pressure, digits));
+  };
+  add("stress_xx", "stress", "xx", [](const Stress& s) { return s.xx; });
+  add("stress_zz", "stress", "zz", [](const Stress& s) { return s.zz; });
+  add("stress_xz", "stress", "xz", [](const Stress& s) { return s.xz; });
+  add("max_shear", "in-plane", "max shear", [](const Stress& s) { return s.max_shear(); });
+  add("largest_shear", "largest", "shear", [&](const Stress& s) { return s.largest_shear(nu); });
+  add("von_mises", "von", "Mises", [&](const Stress& s) { return s.von_mises(nu); });
+  if (pressed.mcewen) {
+    table.push_back(
+        {.key = "mcewen_max_shear", .numbers = column([](const Point& p) { return p.mcewen; })});
   }
   return table;
 }
 
-// Against the depth, a curve for each x; if all points lie at one depth, along x. A NaN parts the
-// curves.
-literate::Figure stress_figure(std::vector<Point> points, double poisson,
-                               const config::UnitSystem& units) {
-  const bool is_along_x =
-      points.size() > 1 && std::ranges::all_of(points, [z = points.front().z](const Point& point) {
-        return point.z == z;
-      });
-  const auto curve = [&](const Point& point) { return is_along_x ? point.z : point.x; };
-  const auto place = [&](const Point& point) { return is_along_x ? point.x : point.z; };
-  std::stable_sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {
-    return curve(a) < curve(b) || (curve(a) == curve(b) && place(a) < place(b));
-  });
-  std::vector<double> places, shear, von_mises, mcewen;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point& point = points[i];
-    if (i > 0 && curve(point) != curve(points[i - 1])) {
-      for (std::vector<double>* column : {&places, &shear, &von_mises, &mcewen}) {
-        column->push_back(literate::gap);
-      }
-    }
-    places.push_back(place(point));
-    shear.push_back(point.stress.max_shear());
-    von_mises.push_back(point.stress.von_mises(poisson));
-    mcewen.push_back(point.mcewen ? point.mcewen->max_shear() : literate::gap);
+void add_notes(std::vector<std::string>& notes, const std::vector<Point>& points,
+               const Pressed& pressed) {
+  notes.emplace_back("largest shear: Tresca's, of all planes; tension is positive");
+  if (!pressed.mcewen) return;
+  double difference = 0;
+  for (const Point& p : points) {
+    difference = std::max(difference, std::abs(p.stress.max_shear() - p.mcewen));
   }
-  literate::Figure figure{
-      .width_cm = 14,
-      .height_cm = 9,
-      .data = {{"points", {{"place", places}, {"max_shear", shear}, {"von_mises", von_mises}}}},
-      .texts = {{"axis", is_along_x ? "x" : "z"},
-                {"length_unit", units.length},
-                {"stress_unit", units.stress}}};
-  if (points.front().mcewen) figure.data["mcewen"] = {{"place", places}, {"max_shear", mcewen}};
-  return figure;
+  notes.push_back(
+      fmt::format("in-plane shear differs from McEwen's by at most {:.1g} % of the peak pressure",
+                  100 * difference / pressed.peak_pressure));
 }
 
-ExitCode run(const StressCommandOptions& options) {
-  const auto from_file = case_of(options.contact.case_file());
-  const config::UnitSystem units = options.output.units(from_file);
-  std::vector<Point> points = points_of(options);
-  const ContactInput input = options.contact.read(from_file);
-  const bool is_second = options.body == "2";
-  const SolvedContact solved = solve(input);
-  compute(points, input, solved);
-  const double poisson = (is_second ? input.material2 : input.material1).poisson();
-  return options.output.print({.tables = {table_of(points, poisson, units)},
-                               .warnings = validity_warnings(input, solved),
-                               .script = "stress",
-                               .figure = [&] { return stress_figure(points, poisson, units); }});
+// Against the depth, a curve for each x; along x if all points have one depth.
+Picture picture_of(const std::vector<Point>& points, double nu, const config::UnitSystem& units) {
+  const bool is_along_x = points.size() > 1 && points.front().z == points.back().z;
+  std::map<double, std::vector<Point>> curves;
+  for (const Point& point : points) curves[is_along_x ? point.z : point.x].push_back(point);
+  Curve shear{"largest shear", true, {}, {}}, von_mises{"von Mises", true, {}, {}};
+  const auto add = [&](double at, double largest_shear, double mises) {
+    shear.x.push_back(at);
+    shear.y.push_back(largest_shear);
+    von_mises.x.push_back(at);
+    von_mises.y.push_back(mises);
+  };
+  for (const auto& [_, curve] : curves) {
+    for (const Point& p : curve) {
+      add(is_along_x ? p.x : p.z, p.stress.largest_shear(nu), p.stress.von_mises(nu));
+    }
+    add(std::nan(""), std::nan(""), std::nan(""));  // breaks the line before the next
+  }
+  return {fmt::format("{} ({})", is_along_x ? "x" : "depth z", units.length),
+          fmt::format("stress ({})", units.stress),
+          {shear, von_mises}};
+}
+
+ExitCode run(const StressOptions& options) {
+  const Given given = options.output.given();
+  const config::UnitSystem& units = given.units;
+  const Pressed pressed = options.load.shape.is_given() ? pressed_by_load(options, given)
+                                                        : pressed_by_contact(options, given);
+  const std::vector<Point> points = points_of(options, pressed, units.length);
+  Result result{.table = table_of(points, pressed, units),
+                .table_in_json = InJson::rows,
+                .units = {{"x", units.length}, {"z", units.length}, {"stress", units.stress}},
+                .notes = pressed.notes,
+                .warnings = pressed.warnings};
+  add_notes(result.notes, points, pressed);
+  return options.output.print(
+      result, [&] { return picture_of(points, pressed.material.poisson(), units); });
 }
 
 }  // namespace
 
 void add_stress_command(CLI::App& program, ExitCode& exit_code) {
-  add_command<StressCommandOptions>(
-      program, "stress", "Stresses inside one of two bodies pressed together", exit_code, run);
+  const CommandText text{
+      "stress",
+      R"(Stresses beneath a line contact, or beneath a strip load or another pressure. Plane strain, z into
+the body; beneath cylinders beside McEwen's closed form. With --shape the pressure is given; without
+it two bodies are pressed together as by 'halfspace contact'.)",
+      R"(  On the axis beneath a steel cylinder on a plane, to twice the half-width:
+    halfspace stress --radius1 10 --load 100 --plot -
+  Beneath a strip load of 100 MPa on |x| <= 1 mm:
+    halfspace stress --shape uniform --peak-pressure 100 --half-width 1 \
+      --z 0:3:0.25
+  Across the contact at one depth, as JSON:
+    halfspace stress --radius1 10 --load 100 --x -0.2:0.2:0.01 --z 0.08 \
+      --format json
+)"};
+  add_command<StressOptions>(program, text, exit_code, run);
 }
 
 }  // namespace app

@@ -37,15 +37,17 @@ void require_resolved(const Resolution& resolution) {
                   resolution.n_nodes, resolution.domain / finer));
 }
 
+double relative_error(const Resolution& resolution) {
+  constexpr double of_second_order = 1.6;
+  return of_second_order / (resolution.n_across * resolution.n_across);
+}
+
 std::string resolution_warning(const Resolution& resolution) {
   if (resolution.n_across >= enough_across) return "";
-  // Measured against Hertz, at the worst of all places of the edge between two nodes
-  constexpr double of_second_order = 1.6;
-  const double error = of_second_order / (resolution.n_across * resolution.n_across);
   return fmt::format(
       "{:.2g} nodes lie across the contact: its width and its greatest pressure are right to about "
       "{:.1g} %; more nodes or a narrower domain make them better",
-      resolution.n_across, 100 * error);
+      resolution.n_across, 100 * relative_error(resolution));
 }
 
 }  // namespace contact

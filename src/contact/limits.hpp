@@ -32,6 +32,10 @@ inline constexpr Eigen::Index least_nodes_in_contact = 8;
 /// which domain, would do.
 void require_resolved(const Resolution& resolution);
 
+/// The error of width and greatest pressure, relative: of second order, measured against Hertz at the
+/// worst of all places of the edge between two nodes.
+double relative_error(const Resolution& resolution);
+
 /// A sentence with the size of the error if fewer than 20 nodes lie across the contact, else empty.
 std::string resolution_warning(const Resolution& resolution);
 

@@ -15,7 +15,7 @@ OF_THE_PRINT = ["The run", "Three findings", "Contact.m", "Tri_dist.m", "The cop
 class Documents(InFolder):
     def text(self, case):
         """Typesets a case and returns the words of the PDF, with one blank between."""
-        made = subprocess.run([sys.executable, str(SOURCE / "src/engine_new/tools/literate"), "case", os.environ["SETTINGS"],
+        made = subprocess.run([sys.executable, str(SOURCE / "src/literate/tools/literate"), "case", os.environ["SETTINGS"],
                                str(self.case(case)), str(self.folder / "out")], capture_output=True, text=True)
         self.assertEqual(made.returncode, 0, made.stderr)
         self.assertNotIn("too wide", made.stderr)

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flags as users give them: numbers with or without a unit, lists and ranges, names.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+/// A flag with a value. CLI11 stores the text and lists the help; numbers are read here, because
+/// CLI11 would read them by the locale.
+class Flag {
+ public:
+  /// `names` is "--x", or several separated by commas; messages use the first. `type` is what the
+  /// help calls the value, and `group` the heading that it lists the flag under.
+  Flag(CLI::App& command, const std::string& names, const std::string& type,
+       const std::string& group, const std::string& help);
+  Flag(const Flag&) = delete;
+  Flag& operator=(const Flag&) = delete;
+
+  const std::string& name() const { return name_; }
+  const std::string& text() const { return text_; }
+  bool is_given() const { return !text_.empty(); }
+
+  /// The text, or what holds without the flag.
+  std::string text_or(const std::string& other) const { return is_given() ? text_ : other; }
+
+  /// What the name given stands for, or `other` if none was given. Throws sys::InputError, which
+  /// lists the names, for one that is not among them.
+  template <class Meaning>
+  Meaning choice_or(Meaning other, const std::map<std::string, Meaning>& choices) const {
+    if (!is_given()) return other;
+    if (const auto chosen = choices.find(text_); chosen != choices.end()) return chosen->second;
+    std::vector<std::string> names;
+    for (const auto& choice : choices) names.push_back(choice.first);
+    refuse_choice(names);
+  }
+
+  /// The quantity in this unit, if it was given: 210GPa, "210 GPa", or a plain number, which has
+  /// the unit already. Unit "1" takes plain numbers only. Throws sys::InputError for anything else
+  /// than a finite number, and for a unit of another dimension.
+  std::optional<double> quantity(const std::string& unit) const;
+
+  /// The same; refuses what is not greater than 0.
+  std::optional<double> positive(const std::string& unit) const;
+
+  /// Several of them: a list 0,0.5,1mm of quantities and of ranges BEGIN:END:STEP with both ends. A
+  /// unit behind the last number holds for all that have none. Empty if the flag was not given.
+  std::vector<double> quantities(const std::string& unit) const;
+
+  /// A whole number, also 1e6, if it was given. Refuses what is not from least to most.
+  std::optional<long> count(long least, long most) const;
+
+  /// Throws sys::InputError: "--load = -5: must be greater than 0".
+  [[noreturn]] void refuse(const std::string& reason) const;
+
+ private:
+  [[noreturn]] void refuse_choice(const std::vector<std::string>& names) const;
+
+  std::string name_;
+  std::string text_;
+};
+
+/// A quantity that must be known: from its flag, or else from the case.
+struct Needed {
+  const Flag& flag;
+  std::string unit;
+  std::optional<double> from_case = std::nullopt;
+};
+
+/// These quantities, all greater than 0. Throws sys::InputError naming all that are missing.
+std::vector<double> read(const std::vector<Needed>& all);
+
+/// Throws sys::InputError naming all of the flags that are missing.
+void require_given(const std::vector<const Flag*>& flags);
+
+/// Throws sys::InputError "--radius1 has no meaning for --profile file:gap.csv" if one of the flags
+/// was given.
+void refuse_given(const std::vector<const Flag*>& flags, const std::string& choice);
+
+/// The number that the whole text spells, whatever the locale says. Throws sys::InputError naming
+/// `what` and the text if it spells none, or one that is not finite.
+double parse_number(const std::string& what, const std::string& text);
+
+/// Six significant digits at most, for limits in messages: 29.999999999999993 is 30.
+std::string rounded(double number);
+
+/// first, first + step, …: n numbers, rounded to the 15 digits that a decimal step deserves, so
+/// that three steps of 0.1 are 0.3.
+std::vector<double> evenly_spaced(double first, double step, int n);
+
+/// A member of what a case has, or nothing if there is no case.
+template <class Case, class Member>
+std::optional<Member> of_case(const std::optional<Case>& from_case, Member Case::*member) {
+  return from_case ? std::optional((*from_case).*member) : std::nullopt;
+}
+
+}  // namespace app

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/loads.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "app/csv_files.hpp"
+#include "config/units.hpp"
+#include "elasticity/concentrated_load.hpp"
+#include "elasticity/load_shapes.hpp"
+#include "system/error.hpp"
+
+namespace app {
+namespace {
+
+using elasticity::Load;
+using elasticity::Material;
+
+std::vector<std::string> names_of(Shapes shapes) {
+  std::vector<std::string> names = {"triangular", "uniform", "linear:FRACTION"};
+  if (shapes == Shapes::any) names.emplace_back("concentrated");
+  if (shapes != Shapes::without_input)
+    names.insert(names.end(), {"file:PATH", "expression:FORMULA"});
+  return names;
+}
+
+std::string help_of(Shapes shapes) {
+  std::string help =
+      "Pressure on |x| <= a: triangular; uniform, a strip load; linear:FRACTION, which falls from "
+      "the peak in the middle to this fraction of it at the edges";
+  if (shapes == Shapes::any) help += "; concentrated, a force at x = 0";
+  if (shapes != Shapes::without_input) {
+    help +=
+        "; file:PATH, a CSV file with the columns x,pressure, linear between its points; "
+        "expression:FORMULA of x, a and p0, such as 'expression:p0*(1-(x/a)^4)'";
+  }
+  return help + (shapes == Shapes::of_finite_width ? "" : " [triangular]");
+}
+
+// The closed forms of a load such as TriangularLoad: its functions of the namespace elasticity.
+template <class Shape>
+ChosenLoad known_load(const Shape& shape, const std::string& source, std::vector<double> x,
+                      std::vector<double> pressure) {
+  const auto closed_forms = [shape](const Material& material, double datum) {
+    ClosedForms forms;
+    forms.normal_gradient = [=](double at) { return normal_gradient(material, shape, at); };
+    forms.normal_displacement = [=](double at) {
+      return normal_displacement(material, shape, at, datum);
+    };
+    if constexpr (requires { tangential_displacement(material, shape, 0.0); }) {
+      forms.tangential_gradient = [=, load = Load(shape)](double at) {
+        return elasticity::tangential_gradient(material, load, at);
+      };
+      forms.tangential_displacement = [=](double at) {
+        return tangential_displacement(material, shape, at);
+      };
+    }
+    return forms;
+  };
+  return {shape, source, closed_forms, std::move(x), std::move(pressure)};
+}
+
+ChosenLoad load_of_file(const std::string& file) {
+  CurvePoints points = read_curve(file, "x,pressure", 2);
+  std::vector<numerics::Piece> pieces;
+  for (std::size_t i = 0; i + 1 < points.x.size(); ++i) {
+    const double begin = points.x[i], end = points.x[i + 1];
+    const double p = points.y[i], q = points.y[i + 1];
+    // Exact at both ends, so that neighbours agree there.
+    pieces.push_back({begin, end, [=](double s) {
+                        return p * ((end - s) / (end - begin)) + q * ((s - begin) / (end - begin));
+                      }});
+  }
+  return {.load = {numerics::PiecewiseFunction(pieces), {}, {}},
+          .x = std::move(points.x),
+          .pressure = std::move(points.y)};
+}
+
+// muParser's reason alone: without the position, the formula and the full stop.
+std::string reason_of(const mu::ParserError& error) {
+  std::string reason = error.GetMsg();
+  for (const char* ending : {" found at position", " at position", " at expression position"}) {
+    const std::size_t at = reason.find(ending);
+    if (at != std::string::npos) reason.erase(at);
+  }
+  while (!reason.empty() && reason.back() == '.') reason.pop_back();
+  if (!reason.empty()) {
+    reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
+  }
+  return reason;
+}
+
+[[noreturn]] void refuse(const std::string& formula, const mu::ParserError& error) {
+  // Where muParser does not know the place, something is missing at the end of the formula.
+  const bool is_known = error.GetPos() >= 0 && error.GetPos() < static_cast<int>(formula.size());
+  const std::size_t column = is_known ? static_cast<std::size_t>(error.GetPos()) : formula.size();
+  throw sys::InputError(
+      fmt::format("expression \"{}\", column {}: {}", formula, column + 1, reason_of(error)));
+}
+
+// The parser keeps the address of x, so both live together and stay where they are.
+struct Formula {
+  mu::Parser parser;
+  double x = 0;
+};
+
+// The function of x that a formula spells, such as p0*(1-(x/a)^4): muParser's operators and
+// functions (sin, sqrt, abs, exp, ln, min, …), pi, and these constants. The function throws
+// sys::InputError naming x where the formula has no finite value.
+//
+// Throws sys::InputError naming the column of the formula where it is wrong. The decimal sign is a
+// point in every locale.
+std::function<double(double)> parse_expression(const std::string& formula,
+                                               const std::map<std::string, double>& constants) {
+  const auto parsed = std::make_shared<Formula>();
+  try {
+    parsed->parser.DefineVar("x", &parsed->x);
+    parsed->parser.DefineConst("pi", std::numbers::pi);
+    for (const auto& [name, value] : constants) parsed->parser.DefineConst(name, value);
+    parsed->parser.SetExpr(formula);
+    parsed->parser.Eval();  // compiles it
+  } catch (const mu::ParserError& error) {
+    refuse(formula, error);
+  }
+  if (parsed->parser.GetNumResults() != 1) {
+    throw sys::InputError(fmt::format("expression \"{}\": {} formulas, but one is needed", formula,
+                                      parsed->parser.GetNumResults()));
+  }
+  return [formula, parsed](double x) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    try {
+      parsed->x = x;
+      value = parsed->parser.Eval();
+    } catch (const mu::ParserError& error) {
+      refuse(formula, error);
+    }
+    if (std::isfinite(value)) return value;
+    throw sys::InputError(
+        fmt::format("expression \"{}\" has no finite value at x = {}", formula, x));
+  };
+}
+
+ChosenLoad load_of_formula(const std::string& formula, double a, std::optional<double> p0) {
+  std::map<std::string, double> constants{{"a", a}};
+  if (p0) constants["p0"] = *p0;
+  if (!p0 && formula.find("p0") != std::string::npos) {
+    throw sys::InputError("--peak-pressure, p0 of the formula, is missing");
+  }
+  const auto pressure = parse_expression(formula, constants);
+  ChosenLoad chosen{.load = elasticity::distributed_load(pressure, nullptr, {-a, 0, a})};
+  constexpr int n = 1000;
+  for (int i = -n; i <= n; ++i) {
+    chosen.x.push_back(a * i / n);
+    chosen.pressure.push_back(pressure(chosen.x.back()));
+  }
+  return chosen;
+}
+
+}  // namespace
+
+double ChosenLoad::reach() const {
+  const auto& pieces = load.normal.pieces();
+  if (pieces.empty()) return 0;
+  return std::max(std::abs(pieces.front().begin), std::abs(pieces.back().end));
+}
+
+double ChosenLoad::jump_at(double at) const {
+  for (const elasticity::LineForce& force : load.forces) {
+    if (force.position == at) return std::numeric_limits<double>::infinity();
+  }
+  double left = 0, right = 0;
+  for (const numerics::Piece& piece : load.normal.pieces()) {
+    if (piece.end == at) left = piece.value(at);
+    if (piece.begin == at) right = piece.value(at);
+  }
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * load.normal.scale();
+  return std::abs(right - left) > rounding ? right - left : 0;
+}
+
+LoadFlags::LoadFlags(CLI::App& command, const std::string& names, Shapes which)
+    : shapes(names_of(which)),
+      shape(command, names, "SHAPE", "Load", help_of(which)),
+      peak_pressure(command, "--peak-pressure", "STRESS", "Load", "Greatest pressure p0"),
+      half_width(command, "--half-width", "LENGTH", "Load", "Half-width a of the load") {
+  if (which != Shapes::any) return;
+  line_load.emplace(command, "--line-load", "FORCE/LENGTH", "Load",
+                    "Concentrated: the force per length of its line");
+}
+
+ChosenLoad LoadFlags::read(const std::optional<elasticity::TriangularLoad>& from_case,
+                           const config::UnitSystem& units) const {
+  const std::string given = shape.text_or("triangular");
+  const std::string kind = given.substr(0, given.find(':') + (given.find(':') < given.size()));
+  const std::string argument = given.substr(kind.size());
+  const bool is_known = std::ranges::any_of(shapes, [&](const std::string& known) {
+    return kind.ends_with(':') ? known.starts_with(kind) : known == kind;
+  });
+  if (!is_known) shape.refuse(fmt::format("must be one of {}", fmt::join(shapes, ", ")));
+  if (kind == "file:" || kind == "concentrated")
+    refuse_given({&peak_pressure, &half_width}, name());
+  if (line_load && kind != "concentrated") refuse_given({&*line_load}, name());
+
+  const auto from = [&](double (elasticity::TriangularLoad::*member)() const) {
+    return from_case ? std::optional(((*from_case).*member)()) : std::nullopt;
+  };
+  const auto p0_of_case = from(&elasticity::TriangularLoad::peak_pressure);
+  const auto a_of_case = from(&elasticity::TriangularLoad::half_width);
+  if (kind == "file:") return load_of_file(argument);
+  if (kind == "concentrated") {
+    const Needed force{*line_load, units.line_load, from(&elasticity::TriangularLoad::line_load)};
+    return known_load(elasticity::ConcentratedLoad(app::read({force})[0]), "Johnson, section 2.2",
+                      {}, {});
+  }
+  if (kind == "expression:") {
+    const auto p0 = peak_pressure.positive(units.stress);
+    return load_of_formula(argument, app::read({{half_width, units.length, a_of_case}})[0],
+                           p0 ? p0 : p0_of_case);
+  }
+  const auto numbers =
+      app::read({{peak_pressure, units.stress, p0_of_case}, {half_width, units.length, a_of_case}});
+  const double p0 = numbers[0], a = numbers[1];
+  if (kind == "uniform") {
+    return known_load(elasticity::UniformLoad(p0, a), "Johnson, section 2.5", {-a, a}, {p0, p0});
+  }
+  if (kind == "linear:") {
+    const double fraction = parse_number(name(), argument);
+    if (!(fraction >= 0)) shape.refuse("the fraction must be 0 or greater");
+    const double edge = fraction * p0;
+    return known_load(elasticity::LinearFall(p0, fraction, a), "eq. (3) and Johnson, section 2.5",
+                      {-a, 0, a}, {edge, p0, edge});
+  }
+  return known_load(elasticity::TriangularLoad(p0, a), "eq. (3)", {-a, 0, a}, {0, p0, 0});
+}
+
+}  // namespace app

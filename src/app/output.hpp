@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all commands share: the case and the units that numbers are read in, and how the result is
+// printed and drawn.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/flags.hpp"
+#include "app/result.hpp"
+#include "command_line/exit_codes.hpp"
+#include "config/units.hpp"
+#include "parameters/case.hpp"
+
+namespace app {
+
+/// A curve of a picture. Both columns have the same length; NaN breaks the curve.
+struct Curve {
+  std::string title;
+  bool is_line;  ///< else a point at each pair
+  std::vector<double> x, y;
+};
+
+/// Curves and the labels of the axes, with their units.
+struct Picture {
+  std::string x_label, y_label;
+  std::vector<Curve> curves;
+};
+
+/// A line through the values of a function at 401 places from begin to end.
+Curve line(const std::string& title, double begin, double end,
+           const std::function<double(double)>& value);
+
+/// What the numbers of a command line are read with.
+struct Given {
+  std::optional<parameters::CaseFile> file;
+  config::UnitSystem units;
+};
+
+/// The flags --case, --units, --format and --plot.
+class Output {
+ public:
+  /// `tables` names what the command takes from a case, in the help.
+  Output(CLI::App& command, const std::string& tables);
+
+  /// Reads the case file, if there is one, and the system of units: the case's, or that of --units,
+  /// or mm-N. Throws sys::InputError for what is wrong with any of the four flags, before anything
+  /// is computed.
+  Given given() const;
+
+  bool is_csv() const { return format_.text() == "csv"; }
+
+  /// Prints warnings on standard error and the result in its format, then draws the picture. Throws
+  /// sys::InputError for a number that is not finite, sys::ToolError if gnuplot fails or is
+  /// missing.
+  command_line::ExitCode print(const Result& result, const std::function<Picture()>& picture) const;
+
+ private:
+  Flag case_, units_, format_, plot_;
+};
+
+/// Throws sys::InputError naming the flag unless the folder of its file exists.
+void require_folder_of(const Flag& flag);
+
+}  // namespace app
