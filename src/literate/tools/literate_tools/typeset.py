@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 from literate_tools import latex_log
-from literate_tools.common import ENGINE, Failure, tool, warn, write_bytes
+from literate_tools.common import ENGINE, Failure, date_back, file_time, tool, warn, write_bytes
 from literate_tools.settings import Settings, read_settings
 
 MOST_RUNS = 8  # contents, references and an index settle in four
@@ -23,12 +23,13 @@ NOT_READ = {".log", ".pdf", ".fls", ".uses", ".blg", ".ilg", ".gz"}
 
 def run(arguments: list[str]) -> int:
     """Typesets the paper's own case: literate typeset SETTINGS STAMP DEPFILE."""
-    settings = read_settings(arguments[0])
+    settings, stamp, depfile = read_settings(arguments[0]), Path(arguments[1]), Path(arguments[2])
+    start = file_time(settings.output)
     typeset(settings)
-    stamp, depfile = Path(arguments[1]), Path(arguments[2])
     dependencies = [path for path in recorded(settings) if not path.is_relative_to(settings.output)]
-    depfile.write_text(f"{escaped(stamp)}: {' '.join(map(escaped, dependencies))}\n")
+    depfile.write_text(f"{escaped(settings, stamp)}: {' '.join(escaped(settings, path) for path in dependencies)}\n")
     stamp.touch()
+    date_back([stamp], start)
     return 0
 
 
@@ -139,6 +140,9 @@ def prepare(settings: Settings) -> bool:
     if not link.is_symlink() or os.readlink(link) != str(ENGINE / "literate.sty"):
         link.unlink(missing_ok=True)
         link.symlink_to(ENGINE / "literate.sty")
+    for drawing in settings.generated.glob("figures/*/*.tex"):  # of a script that is gone
+        if drawing.stem not in {script.stem for script in settings.scripts}:
+            drawing.unlink()
     had_files = any(settings.latex.iterdir())
     for folder, folders, files in os.walk(settings.document):
         folders[:] = [f for f in folders if not f.startswith(".") and Path(folder, f) not in (settings.output, settings.build)]
@@ -162,6 +166,7 @@ def recorded(settings: Settings) -> list[Path]:
     return [path for path in paths if not path.is_relative_to(settings.latex)]
 
 
-def escaped(path: Path) -> str:
-    """Returns a path as a depfile holds it."""
-    return str(path).replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
+def escaped(settings: Settings, path: Path) -> str:
+    """Returns a path as a depfile holds it: relative to CMake's folder, since Ninja cannot read each sign in one."""
+    relative = os.path.relpath(path, settings.build) if path.is_relative_to(settings.source) else str(path)
+    return relative.replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
