@@ -22,6 +22,7 @@ def draw(settings: Settings, script: Path, generated: Path) -> None:
     """Writes figures/NAME/NAME.tex and .pdf. The program wrote data.gp there, which names terminal, data and output."""
     name, shown = script.stem, settings.shown(script)
     folder = generated / "figures" / name
+    folder.mkdir(parents=True, exist_ok=True)
     start = file_time(folder)
     outputs = [folder / f"{name}.tex", folder / f"{name}.pdf"]
     for output in outputs:
