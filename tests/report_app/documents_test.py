@@ -40,7 +40,7 @@ class Documents(InFolder):
                    OF_THE_PRINT)
 
     def test_a_plane_in_other_units_without_block_and_spheres(self):
-        self.check(STEEL, ["R2 = infinite", "780 N/mm"], [*OF_THE_PRINT, " psi", " lbf", "The finite block", "Two spheres"])
+        self.check(STEEL, ["R2 = \u221e", "780 N/mm"], [*OF_THE_PRINT, " psi", " lbf", "The finite block", "Two spheres"])
 
     def test_a_hollow(self):
         self.check(changed(STEEL, ('radius = "plane"', 'radius = {value = -61, unit = "mm"}')), ["R2 = -61 mm"], OF_THE_PRINT)
