@@ -7,8 +7,7 @@
 %  - the minus before 2*x^2 in g and in f, where a line ended;
 %  - the small letter of "else" after B(i,j)=0, printed "Else", which is no keyword.
 %Changed: -ascii, printed -ASCII, is in small letters, since Octave minds the case.
-%Everything else stands as it is printed, its defects too: run_contact_m.m runs it. The comments with the word excerpt
-%are the report's.
+%Everything else stands as it is printed, its defects too.
 clear;
 P=2500;                         %Force (lb/inch)
 c=.0005;                        %Element size (inch)
@@ -49,7 +48,6 @@ for i = 1:nn                    %i=1 refers to i=0
   end
   h(i,:)=.5*(1/R)*((i-1)*c)^2;
 end
-% begin excerpt: contact-m-listing
 %Sets pi=0 for negative pressures
 for i =aa:nn
   for j = 1:nn
@@ -67,7 +65,6 @@ for j = 1:nn
   B(1,j)=A;
 end
 p=B\h;                          %Pressure distribution
-% end excerpt: contact-m-listing
 save Numer.out p -ascii
 %Solution using Hertz method
 a=sqrt(4*2*P*R/(pi*E));         %Contact width

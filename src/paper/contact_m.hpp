@@ -45,7 +45,7 @@ struct ContactM {
 /// Runs Contact.m on the case's cylinders. Its lost signs are put right, and its `Else`, which
 /// MATLAB would not run; its other defects as far as `mended` says.
 ///
-/// With every repair it is solve_by_matrix_inversion on a one-sided grid. Throws
+/// With every repair it is solve_by_matrix_inversion on the grid that has their images, too. Throws
 /// contact::ContactError when aa, typed or found, is not 3 to nn.
 ContactM run_contact_m(const ContactCase& contact, const ContactMInput& input,
                        const ContactMRepairs& mended = {});

@@ -1,58 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Limits that several sections share, and the few bounds that the report's numbers come with.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "literate/claims/criterion.hpp"
 #include "paper/prelude.hpp"
 
 namespace paper {
 
 /// What one would not see in a plot: a hundredth of what it shows.
 inline Limit less_than_a_plot_shows() {
-  return {literate::LimitKind::choice, 1e-2, "less than a plot shows"};
+  return Limit(1e-2, LimitKind::choice, "less than a plot shows");
 }
 
 /// What the paper calls nearly identical, or negligible, of curves that a plot compares.
 inline Limit nearly_identical() {
-  return {literate::LimitKind::choice, 3e-2, "about what can be read off the axes of a plot"};
-}
-
-/// The square of the element width over the half-width of the contact, for errors of linear
-/// elements.
-inline Limit of_second_order(double square) {
-  return {literate::LimitKind::choice, square,
-          "(𝑐/𝑎)²; at the peak linear interpolation errs by an eighth of it"};
-}
-
-/// The number of criteria that hold.
-inline long n_holding(const std::vector<Criterion>& criteria) {
-  return std::ranges::count(criteria, literate::Outcome::holds, &Criterion::outcome);
+  return Limit(3e-2, LimitKind::choice, "about what can be read off the axes of a plot");
 }
 
 /// Whether a fitted order of convergence is the expected one.
-inline Criterion is_of_order(std::string what, const Measured& order, double expected) {
-  const Limit nearest(literate::LimitKind::choice, 0.25,
-                      "nearer to the order stated than to any other multiple of ½");
-  return Criterion::agrees(std::move(what), Value(order, uncertain()), Value(expected, exact()),
-                           nearest.counting(2));
+inline Criterion is_of_order(std::string what, const Number& order, double expected) {
+  return Criterion::agrees(
+      std::move(what), Value(order, uncertain()), Value(expected, exact()),
+      Limit(0.25, LimitKind::choice, "nearer to the order stated than to any other multiple of 1/2")
+          .counting(2));
 }
 
-/// The fewest decimals, at most nine, that print every one of the points exactly.
-inline int decimals_of(const std::vector<double>& points) {
-  constexpr int most = 9;
-  for (int decimals = 0; decimals < most; ++decimals) {
-    const double shift = std::pow(10.0, decimals);
-    const auto is_printed = [shift](double x) {
-      return std::abs(x * shift - std::round(x * shift)) <= 1e-9 * std::abs(x * shift);
-    };
-    if (std::all_of(points.begin(), points.end(), is_printed)) return decimals;
-  }
-  return most;
+/// A number for a table cell that prints the digits of its column, whatever its error.
+inline Estimate as_it_is(double number) {
+  return {number, 0};
 }
+
+/// A printed number: half a unit of its last place.
+inline Estimate as_estimate(const PrintedNumber& number) {
+  return {number.value(), number.last_place() / 2};
+}
+inline std::vector<double> values_of(const std::vector<PrintedNumber>& numbers) {
+  std::vector<double> values;
+  for (const PrintedNumber& number : numbers) values.push_back(number.value());
+  return values;
+}
+
+/// u_z by eq. (3) and its gradient, with the accuracy that elasticity/triangular_load.hpp states.
+Estimate displacement(const HalfSpaceCase& c, double x);
+Estimate gradient(const HalfSpaceCase& c, double x);
+
+/// K = 2(1−ν²)P/(πE), the scale of all normal displacements.
+inline double displacement_scale(const HalfSpaceCase& c) {
+  return c.material.integral_compliance() * c.load.line_load();
+}
+
+/// a/b − 1, in per cent: how far the computed number a is off the printed one.
+inline Estimate percent_off(Estimate a, const PrintedNumber& b) {
+  return 100 * (a / as_estimate(b) - 1);
+}
+
+/// √(magnitude² − component²): the other component of a displacement of which two numbers are
+/// printed, as far as their last places leave it open.
+Estimate other_component(const PrintedNumber& magnitude, const PrintedNumber& component);
+
+/// A column for abscissae, with the fewest decimals, at most nine, that print each of them exactly.
+Column column_of_points(const std::vector<double>& points, const std::string& unit);
+int decimals_of(const std::vector<double>& points);
 
 }  // namespace paper

@@ -1,38 +1,72 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/paper.hpp"
 
+#include <fmt/core.h>
+
 #include <utility>
 
+#include "config/table.hpp"
 #include "system/parallel.hpp"
 
 namespace paper {
+namespace {
 
-void compute(Document& document, const parameters::Case& from_file,
-             const std::optional<Listings>& listings, const literate::Paper& paper) {
+// What the commands can compute, and what a sentence of the report would not be true of.
+void require_reportable(const parameters::Case& c) {
+  const auto table = [&](const char* name) {
+    return config::Table::parse_file(c.file).table(name);  // which knows the place of the number
+  };
+  const double half_width = c.half_space.load.half_width();
+  if (c.half_space.datum < half_width) {
+    table("half_space")
+        .fail("datum", fmt::format("{0} {1}: must be at least half_space.load.half_width, {2:.6g} "
+                                   "{1}, for the report",
+                                   c.half_space.datum, c.units.length, half_width));
+  }
+  constexpr long most_nodes = 401;  // its references are dense
+  if (c.contact.n_nodes > most_nodes) {
+    table("contact").fail("nodes", fmt::format("{}: must be at most {} for the report",
+                                               c.contact.n_nodes, most_nodes));
+  }
+}
+
+}  // namespace
+
+std::string compute(Document& document, const parameters::Case& from_file) {
   require_reportable(from_file);
-  const Case from{from_file, read_printed(from_file), listings, paper};
+  Case from{from_file, read_printed(from_file)};
+  std::string log;
+  if (from.printed_data) {
+    const std::string other = difference_from_paper(from_file, *from.printed_data);
+    if (!other.empty()) {
+      log = fmt::format("{}: {}; sections about what the paper prints are left out",
+                        from.file.string(), other);
+      from.printed_data.reset();
+    }
+  }
   document.flag("printed", from.printed_data.has_value());
-  document.flag("point-contact", from.point_contact.has_value());
   document.flag("block", from.block.has_value());
-  document.flag("block.fitted", from.block && from.printed_data);
+  document.flag("point-contact", from.point_contact.has_value());
+  document.value("case.title", Value::text(from.title));
 
   std::vector<Document> documents(sections().size());
-  // The last sections take the longest, and begin first.
-  sys::for_each_parallel(documents.size(), 0, [&](std::size_t n_begun) {
-    const std::size_t i = documents.size() - 1 - n_begun;
-    sections()[i].compute(documents[i], from);
-  });
+  sys::for_each_parallel(documents.size(), 0,
+                         [&](std::size_t i) { sections()[i].compute(documents[i], from); });
   for (Document& part : documents) document.append(std::move(part));
+  return log;
 }
 
 const std::vector<Section>& sections() {
-  static const std::vector<Section> list = {
-      {"formulation", &compute_formulation},   {"quadrature", &compute_quadrature},
-      {"results", &compute_results},           {"error_analysis", &compute_error_analysis},
-      {"finite_block", &compute_finite_block}, {"tangential", &compute_tangential},
-      {"cylinders", &compute_cylinders},       {"octave", &compute_octave},
-      {"contact_m", &compute_contact_m},       {"elements", &compute_elements},
-      {"spheres", &compute_spheres},           {"provenance", &compute_provenance}};
+  static const std::vector<Section> list = {{"formulation", &compute_formulation},
+                                            {"quadrature", &compute_quadrature},
+                                            {"results", &compute_results},
+                                            {"error_analysis", &compute_error_analysis},
+                                            {"block", &compute_block},
+                                            {"tangential", &compute_tangential},
+                                            {"cylinders", &compute_cylinders},
+                                            {"contact_m", &compute_contact_m},
+                                            {"elements", &compute_elements},
+                                            {"spheres", &compute_spheres}};
   return list;
 }
 

@@ -1,35 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "literate/document/document.hpp"
-#include "literate/excerpts/excerpt.hpp"
-#include "literate/main/paper.hpp"
 #include "paper/prelude.hpp"
 #include "paper/printed_data.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
 
-/// The sources, a checkout, and the excerpts of them that the report may show.
-struct Listings {
-  std::filesystem::path source;
-  std::vector<literate::Excerpt> excerpts;
-};
-
-/// All that a section computes from: the case, and what else the report knows.
+/// All that a section computes from: the case and, if it is the paper's own, what the paper prints.
 struct Case : parameters::Case {
-  std::optional<PrintedData> printed_data;  ///< what the paper prints
-  std::optional<Listings> listings;
-  literate::Paper paper;
+  std::optional<PrintedData> printed_data;
 };
 
-/// A section that computes something. Its name is that of its prose, with _ for -, and of its file,
-/// NAME_section.cpp, which defines compute_NAME. It leaves out what the case does not have.
+/// A section that computes something. Its prose is report/sections/NAME.tex, with - for _, and its
+/// function, compute_NAME, is in NAME_section.cpp. It leaves out what the case does not have.
 struct Section {
   std::string name;
   void (*compute)(Document& document, const Case& from);
@@ -42,30 +30,19 @@ void compute_formulation(Document& document, const Case& from);
 void compute_quadrature(Document& document, const Case& from);
 void compute_results(Document& document, const Case& from);
 void compute_error_analysis(Document& document, const Case& from);
-void compute_finite_block(Document& document, const Case& from);
+void compute_block(Document& document, const Case& from);
 void compute_tangential(Document& document, const Case& from);
 void compute_cylinders(Document& document, const Case& from);
-void compute_octave(Document& document, const Case& from);
 void compute_contact_m(Document& document, const Case& from);
 void compute_elements(Document& document, const Case& from);
 void compute_spheres(Document& document, const Case& from);
-void compute_provenance(Document& document, const Case& from);
 
-/// Throws config::Error, with file, line, column and key, for a case that the commands can compute
-/// but the report cannot be made of: one that is too large for it, whose title or file name LaTeX
-/// cannot print, or of which what the report says would not be true.
-void require_reportable(const parameters::Case& c);
-
-/// Computes all that the report says about a case and registers it with the document: values,
-/// tables, figures, claims, and the checks that must hold. Sections are computed at the same time.
+/// Computes all that the report says about a case and registers it with the document.
 ///
-/// What concerns the paper's own numbers exists only if the case has printed data (flag `printed`),
-/// what concerns the finite block only if the case has one (flag `block`; `block.fitted` with
-/// both), and how much the listings show only with `listings`. `paper` tells the
-/// version and compiler that the report states. Throws config::Error for a case that is not
-/// reportable, for printed data that are not right, and what the computations throw.
-void compute(literate::Document& document, const parameters::Case& from_file,
-             const std::optional<Listings>& listings = std::nullopt,
-             const literate::Paper& paper = {});
+/// What concerns the paper's own numbers is registered only for the paper's case (flag `printed`),
+/// what concerns a block or spheres only if the case has them (flags `block`, `point-contact`).
+/// Returns what the log should say about the case: empty, or why the sections about the print are
+/// left out. Throws config::Error for a case of which the report cannot be made.
+std::string compute(Document& document, const parameters::Case& from_file);
 
 }  // namespace paper

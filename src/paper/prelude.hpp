@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words that every section of this report is written in: what the engine registers and how it
-// prints, numbers with their errors, and the parts of a case.
+// The names that every section of this report uses: what the engine registers and prints, numbers
+// with their errors, and the parts of a case.
 #pragma once
+
+#include <string>
+#include <utility>
 
 #include "config/printed_number.hpp"
 #include "config/units.hpp"
 #include "line_contact/cylinders.hpp"
 #include "literate/document/document.hpp"
 #include "numerics/estimate_algebra.hpp"
-#include "numerics/measured.hpp"
 #include "parameters/case.hpp"
 
 namespace paper {
@@ -27,6 +29,7 @@ using literate::fixed;
 using literate::integer;
 using literate::Limit;
 using literate::LimitKind;
+using literate::Number;
 using literate::percent;
 using literate::scientific;
 using literate::significant;
@@ -34,10 +37,14 @@ using literate::uncertain;
 using literate::Value;
 using literate::Verdict;
 using numerics::Estimate;
-using numerics::Measured;
 using parameters::BlockCase;
 using parameters::ContactCase;
 using parameters::HalfSpaceCase;
 using parameters::PointContactCase;
+
+/// A number with a standard uncertainty and no bound.
+inline Number number_with(double value, double standard) {
+  return {value, 0, standard};
+}
 
 }  // namespace paper

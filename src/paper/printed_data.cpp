@@ -3,165 +3,112 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "config/table.hpp"
-#include "paper/prelude.hpp"
 
 namespace paper {
 namespace {
 
-// What print may hold: squares and quotients of such numbers are doubles.
-constexpr double least = 1e-50;
-constexpr double greatest = 1e50;
+using Numbers = std::map<std::string, PrintedNumber>;
 
-enum class Sign { any, not_zero, positive };
-
-void require_in_range(const config::Table& table, const std::string& key,
-                      const PrintedNumber& number, Sign sign) {
-  const double size = std::abs(number.value());
-  if (size != 0 && !(size >= least && size <= greatest)) {
-    table.fail(key, fmt::format("{}: its magnitude must be from {} to {}", number.text(), least,
-                                greatest));
-  }
-  if (sign == Sign::positive && !(number.value() > 0)) {
-    table.fail(key, fmt::format("{}: must be greater than 0", number.text()));
-  }
-  if (sign == Sign::not_zero && size == 0) {
-    table.fail(key, fmt::format("{}: must not be 0", number.text()));
-  }
-}
-
-std::vector<PrintedNumber> read_column(const config::Table& table, const std::string& key,
-                                       std::size_t n_points, Sign sign) {
-  std::vector<PrintedNumber> column = table.printed_numbers(key);
-  if (column.size() != n_points) {
-    table.fail(key, fmt::format("{} numbers for {} points", column.size(), n_points));
-  }
-  for (const PrintedNumber& number : column) require_in_range(table, key, number, sign);
-  return column;
-}
-
-// The report divides by the slopes between the last five points.
-void require_slopes(const config::Table& table, const std::string& key,
-                    const std::vector<PrintedNumber>& column) {
-  constexpr std::size_t n_last = 5;
-  for (std::size_t i = std::max(n_last, column.size()) - n_last + 1; i < column.size(); ++i) {
-    const double step = std::abs(column[i].value() - column[i - 1].value());
-    if (!(step > column[i].last_place() + column[i - 1].last_place())) {
-      table.fail(key, fmt::format("{} after {}: neighbours among the last {} must differ by more "
-                                  "than their last places",
-                                  column[i].text(), column[i - 1].text(), n_last));
-    }
-  }
-}
-
-PrintedFigure5 read_figure5(const config::Table& table, const std::vector<double>& points,
-                            const std::string& unit) {
-  PrintedFigure5 figure{table.text("source"),
-                        read_column(table, "x", points.size(), Sign::any),
-                        read_column(table, "fea_magnitude", points.size(), Sign::positive),
-                        read_column(table, "fea_z", points.size(), Sign::positive),
-                        read_column(table, "analytical", points.size(), Sign::positive),
-                        read_column(table, "error", points.size(), Sign::positive)};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (figure.x[i].agrees_with(points[i])) continue;
-    table.fail("x", fmt::format("{} {}: must be {:.12g} {}, which half_space.points has there",
-                                figure.x[i].text(), unit, points[i], unit));
-  }
-  require_slopes(table, "analytical", figure.analytical);
-  return figure;
-}
-
-PrintedTriDist read_tri_dist(const config::Table& table, const HalfSpaceCase& c,
-                             const std::string& unit) {
-  PrintedTriDist printed{table.text("source"),
-                         read_column(table, "displacement", c.points.size(), Sign::positive),
-                         table.printed_number("step")};
-  require_in_range(table, "step", printed.step, Sign::positive);
-  if (printed.step.value() > c.load.half_width()) {
-    table.fail("step", fmt::format("{0} {1}: must be at most half_space.load.half_width, {2:.6g} "
-                                   "{1}",
-                                   printed.step.text(), unit, c.load.half_width()));
-  }
-  return printed;
-}
-
-// Reads numbers under any names, of which some are needed, because the report divides by them.
-std::map<std::string, PrintedNumber> read_numbers(const config::Table& table,
-                                                  const std::vector<std::string>& needed) {
-  std::map<std::string, PrintedNumber> numbers;
-  for (const std::string& key : table.keys()) {
-    require_in_range(table, key, numbers.emplace(key, table.printed_number(key)).first->second,
-                     Sign::any);
-  }
-  for (const std::string& key : needed) {
-    if (!table.has(key)) table.fail(key, "missing");
-    require_in_range(table, key, numbers.at(key), Sign::not_zero);
+std::vector<PrintedNumber> column(const config::Table& table, const std::string& key,
+                                  std::size_t n_points) {
+  std::vector<PrintedNumber> numbers = table.printed_numbers(key);
+  if (numbers.size() != n_points) {
+    table.fail(key, fmt::format("{} numbers for {} points", numbers.size(), n_points));
   }
   return numbers;
 }
 
-std::map<std::string, PrintedNumber> read_measures(const config::Table& table,
-                                                   std::size_t n_points) {
-  std::vector<std::string> needed = {"resultant_load_y", "max_disp_mag",    "max_disp_x",
-                                     "max_disp_y",       "max_stress_prin", "max_stress_vm",
-                                     "max_stress_xx",    "max_stress_xy",   "max_stress_yy",
-                                     "max_stress_zz",    "strain_energy"};
-  for (std::size_t i = 1; i <= n_points; ++i) needed.push_back(fmt::format("measure{}", i));
-  std::map<std::string, PrintedNumber> measures = read_numbers(table, needed);
-  const PrintedNumber& xx = measures.at("max_stress_xx");
-  const PrintedNumber& yy = measures.at("max_stress_yy");
-  if (!(std::abs(xx.value() + yy.value()) > xx.last_place() + yy.last_place())) {
-    table.fail("max_stress_xx", fmt::format("{}: must not be the opposite of max_stress_yy, {}",
-                                            xx.text(), yy.text()));
-  }
-  return measures;
+PrintedFigure5 read_figure5(const config::Table& table) {
+  const std::vector<PrintedNumber> x = table.printed_numbers("x");
+  const std::size_t n = x.size();
+  return {x, column(table, "fea_magnitude", n), column(table, "fea_z", n),
+          column(table, "analytical", n), column(table, "error", n)};
 }
 
-PrintedStressError read_stress_error(const config::Table& table) {
-  PrintedStressError printed{table.printed_number("rms"), table.printed_number("of_largest")};
-  require_in_range(table, "rms", printed.rms, Sign::positive);
-  require_in_range(table, "of_largest", printed.of_largest, Sign::positive);
-  return printed;
+PrintedTriDist read_tri_dist(const config::Table& table, std::size_t n_points) {
+  const auto typed = [&](const char* key) { return table.printed_number(key); };
+  return {typed("young"),
+          typed("poisson"),
+          typed("peak_pressure"),
+          typed("half_width"),
+          typed("datum"),
+          typed("step"),
+          column(table, "displacement", n_points)};
+}
+
+// Numbers under any names, of which the report needs some.
+Numbers read_numbers(const config::Table& table, const std::vector<std::string>& needed) {
+  Numbers numbers;
+  for (const std::string& key : table.keys()) numbers.emplace(key, table.printed_number(key));
+  for (const std::string& key : needed) {
+    if (!numbers.contains(key)) table.fail(key, "missing");
+  }
+  return numbers;
 }
 
 PrintedAppendix2 read_appendix2(const config::Table& table, std::size_t n_points) {
+  std::vector<std::string> measures = {"resultant_load_y", "max_disp_x",    "max_stress_prin",
+                                       "max_stress_vm",    "max_stress_xx", "max_stress_xy",
+                                       "max_stress_yy",    "max_stress_zz", "strain_energy"};
+  std::vector<std::string> convergences = {"max_stress_xy", "strain_energy"};
+  for (std::size_t i = 1; i <= n_points; ++i) {
+    measures.push_back(fmt::format("measure{}", i));
+    convergences.push_back(measures.back());
+  }
+  const config::Table error = table.table("stress_error");
   return {
-      table.text("source"), read_stress_error(table.table("stress_error")),
-      read_measures(table.table("measures"), n_points),
-      read_numbers(table.table("convergence"), {"max_stress_prin", "max_stress_xy"}),
+      {error.printed_number("rms"), error.printed_number("of_largest")},
+      read_numbers(table.table("measures"), measures),
+      read_numbers(table.table("convergence"), convergences),
       read_numbers(table.table("mass_properties"),
                    {"mass", "centre_y", "ixx_about_origin", "iyy_about_origin", "izz_about_origin",
                     "ixx_about_centre", "iyy_about_centre", "izz_about_centre"})};
 }
 
-PrintedContactM read_contact_m(const config::Table& table, const ContactCase& c,
-                               const std::string& unit) {
-  PrintedContactM printed{table.text("source"), table.printed_number("spacing"),
-                          table.printed_number("n_nodes"), table.printed_number("zero_node")};
-  const double n_nodes = printed.n_nodes.value();
-  const double zero_node = printed.zero_node.value();
-  require_in_range(table, "spacing", printed.spacing, Sign::positive);
-  if (n_nodes != std::round(n_nodes) || n_nodes < 5 || n_nodes > 1000) {
-    table.fail("n_nodes", fmt::format("{}: must be a whole number from 5 to 1000", n_nodes));
+PrintedContactM read_contact_m(const config::Table& table) {
+  const auto typed = [&](const char* key) { return table.printed_number(key); };
+  return {typed("load"),  typed("young"),   typed("poisson"), typed("radius1"),  typed("radius2"),
+          typed("datum"), typed("spacing"), typed("n_nodes"), typed("zero_node")};
+}
+
+// «half_space.datum, 3 in, is not the paper's 10», or nothing.
+std::string differs(const std::string& key, double number, const PrintedNumber& printed,
+                    const std::string& unit) {
+  constexpr double rounding = 1e-12;
+  if (std::abs(number - printed.value()) <= rounding * std::abs(printed.value())) return "";
+  return fmt::format("{}, {:.6g}{}, is not the paper's {}", key, number,
+                     unit.empty() ? "" : " " + unit, printed.text());
+}
+
+std::string differs_in_points(const std::vector<double>& points,
+                              const std::vector<PrintedNumber>& printed) {
+  bool agree = points.size() == printed.size();
+  for (std::size_t i = 0; agree && i < points.size(); ++i) {
+    agree = printed[i].agrees_with(points[i]);
   }
-  if (zero_node != std::round(zero_node) || zero_node < 3 || zero_node >= n_nodes) {
-    table.fail("zero_node", fmt::format("{}: must be a whole number from 3 to n_nodes", zero_node));
-  }
-  // The listed program's last node but one is the edge of the contact under 2P.
-  const double twice = Hertz(c.cylinders, 2 * c.line_load).half_width();
-  const double least_spacing = twice / (n_nodes - 2);
-  const double most_spacing = twice / (n_nodes - 4);
-  if (!(printed.spacing.value() >= least_spacing && printed.spacing.value() <= most_spacing)) {
-    table.fail("spacing", fmt::format("{0} {1}: must be from {2:.4g} to {3:.4g} {1}, so that "
-                                      "n_nodes nodes just hold the contact under twice "
-                                      "contact.load; leave [printed] out of a case with other "
-                                      "cylinders than the paper's",
-                                      printed.spacing.text(), unit, least_spacing, most_spacing));
-  }
-  return printed;
+  return agree ? "" : "half_space.points are not those of the paper's Fig. 5";
+}
+
+// The run's summary prints no dimensions; they follow from the mass and the moments of inertia.
+std::string differs_in_block(const parameters::Case& c, const PrintedAppendix2& printed) {
+  if (!c.block) return "there is no [block]";
+  if (c.block->sides != block::Support::clamped) return "block.sides are not clamped";
+  const auto property = [&](const char* name) { return printed.mass_properties.at(name).value(); };
+  const auto is_near = [](double number, double expected) {
+    return std::abs(number - expected) <= 1e-2 * expected;
+  };
+  const double mass = property("mass");
+  const double width = std::sqrt(12 * property("iyy_about_centre") / mass);
+  const double height = std::sqrt(12 * property("ixx_about_centre") / mass);
+  const block::Rectangle& r = c.block->rectangle;
+  if (!is_near(r.width(), width)) return "block.width is not that of the paper's run";
+  if (!is_near(r.height(), height)) return "block.height is not that of the paper's run";
+  return is_near(c.block->density * r.width() * r.height(), mass)
+             ? ""
+             : "block.density is not that of the paper's run";
 }
 
 }  // namespace
@@ -169,20 +116,48 @@ PrintedContactM read_contact_m(const config::Table& table, const ContactCase& c,
 std::optional<PrintedData> read_printed(const parameters::Case& from_file) {
   if (!from_file.printed) return std::nullopt;
   const config::Table& table = *from_file.printed;
-  const UnitSystem& units = from_file.units;
-  if (!table.is_text("units", units.name)) {
-    table.fail("units", fmt::format("\"{}\": printed data in other units than the case's {} cannot "
-                                    "be compared; leave [printed] out",
-                                    table.text("units"), units.name));
-  }
-  table.text("units");
-  const HalfSpaceCase& half_space = from_file.half_space;
-  PrintedData printed{read_figure5(table.table("figure5"), half_space.points, units.length),
-                      read_tri_dist(table.table("tri_dist"), half_space, units.length),
-                      read_appendix2(table.table("appendix2"), half_space.points.size()),
-                      read_contact_m(table.table("contact_m"), from_file.contact, units.length)};
+  const PrintedFigure5 figure5 = read_figure5(table.table("figure5"));
+  const std::size_t n_points = figure5.x.size();
+  PrintedData printed{
+      table.text("units"), figure5, read_tri_dist(table.table("tri_dist"), n_points),
+      read_appendix2(table.table("appendix2"), n_points), read_contact_m(table.table("contact_m"))};
   table.reject_unknown_keys();
   return printed;
+}
+
+std::string difference_from_paper(const parameters::Case& c, const PrintedData& printed) {
+  if (c.units.name != printed.units) {
+    return fmt::format("the paper's units are {}, not {}", printed.units, c.units.name);
+  }
+  const HalfSpaceCase& h = c.half_space;
+  const ContactCase& k = c.contact;
+  const UnitSystem& u = c.units;
+  const PrintedTriDist& t = printed.tri_dist;
+  const PrintedContactM& m = printed.contact_m;
+  const auto curvature = [](const parameters::CylinderCase& body) {
+    return body.radius.curvature();
+  };
+  const std::string differences[] = {
+      differs("half_space.material.young", h.material.young(), t.young, u.stress),
+      differs("half_space.material.poisson", h.material.poisson(), t.poisson, ""),
+      differs("half_space.load.peak_pressure", h.load.peak_pressure(), t.peak_pressure, u.stress),
+      differs("half_space.load.half_width", h.load.half_width(), t.half_width, u.length),
+      differs("half_space.datum", h.datum, t.datum, u.length),
+      differs_in_points(h.points, printed.figure5.x),
+      differs_in_block(c, printed.appendix2),
+      c.point_contact ? "" : "there is no [point_contact]",
+      differs("contact.load", k.line_load, m.load, u.line_load),
+      differs("contact.datum", k.datum, m.datum, u.length),
+      differs("contact.body1.radius", 1 / curvature(k.body1), m.radius1, u.length),
+      differs("contact.body2.radius", 1 / curvature(k.body2), m.radius2, u.length),
+      differs("contact.body1.material.young", k.body1.material.young(), m.young, u.stress),
+      differs("contact.body2.material.young", k.body2.material.young(), m.young, u.stress),
+      differs("contact.body1.material.poisson", k.body1.material.poisson(), m.poisson, ""),
+      differs("contact.body2.material.poisson", k.body2.material.poisson(), m.poisson, "")};
+  for (const std::string& difference : differences) {
+    if (!difference.empty()) return difference;
+  }
+  return "";
 }
 
 }  // namespace paper

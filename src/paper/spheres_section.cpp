@@ -4,7 +4,6 @@
 #include <numbers>
 #include <vector>
 
-#include "paper/bounds.hpp"
 #include "paper/paper.hpp"
 #include "paper/spheres.hpp"
 #include "point_contact/solver/methods.hpp"
@@ -130,23 +129,19 @@ void compute_spheres(Document& document, const Case& from) {
   const UnitSystem& units = from.units;
   const Spheres spheres = solve_spheres(c, *from.point_contact);
   const auto& [hertz, solution] = spheres;
-  const double a = hertz.radius();
+  const auto value = [&](const char* key, double number, const literate::Format& format,
+                         const std::string& unit = "") {
+    document.value(key, Value(number, format, unit).as_is());
+  };
   document.value("spheres.load", Value(from.point_contact->load, exact(), units.force));
-  document.value("spheres.radius", Value(a, significant(4), units.length).within(rounded(c, a)));
-  document.value("spheres.peak", Value(hertz.peak_pressure(), significant(4), units.stress)
-                                     .within(rounded(c, hertz.peak_pressure())));
-  document.value("spheres.of-radius",
-                 Value(a / least_radius(c), percent(1)).within(rounded(c, a / least_radius(c))));
+  value("spheres.radius", hertz.radius(), significant(4), units.length);
+  value("spheres.peak", hertz.peak_pressure(), significant(4), units.stress);
+  value("spheres.of-radius", hertz.radius() / least_radius(c), percent(1));
+  value("spheres.elements", hertz.radius() / solution.grid.spacing, fixed(1));
+  value("spheres.residual", solution.residuals.gap / hertz.approach(), scientific(1).rounded_up());
   document.value("spheres.nodes", Value(n_nodes, integer()));
   document.value("spheres.in-contact", Value(solution.n_in_contact(), integer()));
-  document.value("spheres.elements", Value(a / solution.grid.spacing, fixed(1)).as_is());
   document.value("spheres.products", Value(solution.work.products, integer()));
-  document.value(
-      "spheres.residual",
-      Value(solution.residuals.gap / hertz.approach(), scientific(1).rounded_up()).as_is());
-  const SphereErrors errors = errors_of(spheres);
-  document.value("spheres.peak-error", Value(errors.peak, scientific(2)).as_is());
-  document.value("spheres.radius-error", Value(errors.radius, scientific(2)).as_is());
   document.figure("sphere-pressure", sphere_figure(spheres));
 }
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program that makes the report: the engine's stages, with what this report computes.
+// The program that makes the report: the engine's main() with what this report computes.
 #include "literate/main/main.hpp"
+
+#include <iostream>
 
 #include "paper/paper.hpp"
 #include "parameters/case.hpp"
-#include "toolchain/libraries.hpp"
 
 int main(int argc, char** argv) {
-  literate::Paper paper = literate::this_paper();
-  paper.libraries = toolchain::libraries();
   return literate::main(
-      argc, argv, paper, [](literate::Document& document, const literate::Inputs& inputs) {
-        paper::compute(document, parameters::read_case(inputs.case_file),
-                       paper::Listings{inputs.source, inputs.excerpts}, literate::this_paper());
+      argc, argv, [](literate::Document& document, const std::filesystem::path& case_file) {
+        const std::string log = paper::compute(document, parameters::read_case(case_file));
+        if (!log.empty()) std::cerr << log << '\n';
       });
 }

@@ -3,90 +3,67 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
 
 namespace literate {
 namespace {
 
-bool has_digits(double number, int n_digits) {
-  constexpr double rounding = 1e-12;  // a percentage is divided by 100
-  const double rounded = number_of(rounded_to_digits(number, n_digits));
-  return number == std::trunc(number) || std::abs(number - rounded) <= rounding * std::abs(number);
-}
+constexpr int most_limit_digits = 17;
 
-/// Throws std::invalid_argument for a number that cannot be of this kind.
-void require_of_kind(LimitKind kind, double number, int n_digits) {
-  constexpr int round_digits = 2;
-  const std::string told = round_trip(number);
-  if (kind == LimitKind::theory) {
-    throw std::invalid_argument(fmt::format(
-        "a limit of theory is a formula that is evaluated, by Limit::theory, not the number {}",
-        told));
+/// The number as it is printed and tested.
+double printed(double number, int n_digits) {
+  if (!std::isfinite(number)) return number;
+  if (n_digits > 0 && n_digits <= most_limit_digits) {
+    return number_of(rounded_to_digits(number, n_digits));
   }
-  if (kind == LimitKind::data && !has_digits(number, n_digits)) {
-    throw std::invalid_argument(fmt::format(
-        "a limit of data is a printed number, all of whose digits count: {} has more than {}", told,
-        n_digits));
-  }
-  if (kind == LimitKind::method && has_digits(number, round_digits) &&
-      number != std::trunc(number)) {
-    throw std::invalid_argument(fmt::format(
-        "a limit of method is what the run itself estimates: the round number {} is a choice",
-        told));
-  }
+  // What follows twelve digits is the rounding of the arithmetic: 0.003 for 3 · 0.001.
+  constexpr int n_meant = 12, n_all = 6, n_else = 3;
+  const double meant = number_of(rounded_to_digits(number, n_meant));
+  const bool has_few = shortest(meant).digits.size() <= n_all;
+  return has_few ? meant : number_of(rounded_to_digits(number, n_else));
 }
 
 }  // namespace
 
 std::string_view name_of(LimitKind kind) {
-  switch (kind) {
-    case LimitKind::theory:
-      return "theory";
-    case LimitKind::data:
-      return "data";
-    case LimitKind::method:
-      return "method";
-    case LimitKind::choice:
-      return "choice";
-  }
-  throw std::invalid_argument("a limit needs one of the kinds of limits");
+  constexpr std::array names{"theory", "data", "method", "choice"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
-Limit Limit::theory(const std::string& formula, const std::map<std::string, double>& terms,
-                    const std::string& reason, int n_digits) {
-  Limit limit(LimitKind::choice, evaluated(formula, terms), formula + ", " + reason, n_digits);
-  limit.kind_ = LimitKind::theory;
-  return limit;
-}
-
-Limit::Limit(LimitKind kind, numerics::Estimate number, std::string reason, int n_digits)
-    : kind_(kind),
+Limit::Limit(numerics::Estimate number, LimitKind kind, std::string reason, int n_digits)
+    : number_(printed(number.value, n_digits)),
       unrounded_(number.value),
-      n_digits_(n_digits),
-      abs_error_(number.abs_error),
-      reason_(std::move(reason)) {
-  if (reason_.empty()) throw std::invalid_argument("a limit needs a reason");
-  name_of(kind_);  // throws for one that is none
-  if (!(std::isfinite(abs_error_) && abs_error_ >= 0)) {
-    throw std::invalid_argument("the error of a limit is negative or not finite");
-  }
-  if (n_digits > 17) throw std::invalid_argument("a limit has at most 17 digits");
-  number_ = number_of(rounded_to_digits(number.value, n_digits));
-  require_of_kind(kind_, unrounded_, n_digits);
-}
+      bound_(number.abs_error),
+      kind_(kind),
+      reason_(std::move(reason)),
+      n_digits_(n_digits) {}
 
 Limit Limit::counting(double k) const {
-  if (!(k > 0 && std::isfinite(k))) {
-    throw std::invalid_argument(
-        fmt::format("{} standard uncertainties counted: must be a finite number > 0", k));
-  }
   Limit limit = *this;
   limit.n_counted_ = k;
-  limit.reason_ += fmt::format("; {} standard uncertainties are allowed for", k);
   return limit;
+}
+
+void Limit::require_valid() const {
+  const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
+  if (!std::isfinite(unrounded_)) refuse(fmt::format("the limit {} is not finite", unrounded_));
+  if (!(std::isfinite(bound_) && bound_ >= 0)) {
+    refuse(fmt::format("the error {} of the limit is not finite or below zero", bound_));
+  }
+  if (n_digits_ < 0 || n_digits_ > most_limit_digits) {
+    refuse(fmt::format("{} digits of a limit: there are 1 to {}", n_digits_, most_limit_digits));
+  }
+  if (n_counted_ && !(std::isfinite(*n_counted_) && *n_counted_ > 0)) {
+    refuse(fmt::format("counting({}): must be finite and positive", *n_counted_));
+  }
+  if (reason_.empty()) refuse("a limit needs a reason");
+  (void)author_latex(reason_);
 }
 
 }  // namespace literate

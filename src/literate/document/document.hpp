@@ -1,117 +1,113 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
+#include <atomic>
 #include <map>
-#include <source_location>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "literate/document/registered.hpp"
-#include "literate/excerpts/excerpt.hpp"
+#include "literate/claims/claim.hpp"
+#include "literate/figures/figure.hpp"
+#include "literate/tables/table.hpp"
+#include "literate/text/place.hpp"
+#include "literate/values/value.hpp"
 
 namespace literate {
 
-/// Collects what a computation registers, and writes all files that LaTeX needs of it.
+/// How much of a long computation is done. Any thread may read it.
+struct Progress {
+  std::atomic<long> done = 0, total = 0;
+};
+
+/// Collects what a computation registers.
 ///
-/// A key of a value, flag, check or claim consists of letters, digits, '-', '_' and '.'; a name of
-/// a table or figure must not have a '.'. Each is registered once, and the document remembers the
-/// line of code that did it. Registering throws std::logic_error for a key of another form, and for
-/// a key that is registered already, with both places.
+/// Keys of values, flags, checks and claims consist of letters, digits, '-', '_' and '.', and names
+/// of tables and figures of the same without '.'; the first is a letter or a digit. Each is
+/// registered once, and the document remembers the line of code that did it. Registering throws
+/// Error, with that line, for a key of another form, for one that is registered already, and for
+/// anything that cannot be printed.
 class Document {
  public:
-  using Location = std::source_location;
-
-  /// Registers a value. Throws std::invalid_argument for a number that is not finite.
-  void value(const std::string& key, Value value, Location location = Location::current());
+  /// Registers a value: `\val{key}`.
+  void value(const std::string& key, const Value& value,
+             const Place& place = std::source_location::current());
 
   /// Registers a condition for the prose: `\ifflag{key}{yes}{no}`.
-  void flag(const std::string& key, bool is_set, Location location = Location::current());
+  void flag(const std::string& key, bool is_set,
+            const Place& place = std::source_location::current());
 
-  /// Registers a table by its name. Throws std::invalid_argument for a mark without its note, or a
-  /// note without its mark.
-  void table(Table table, Location location = Location::current());
+  /// Registers a table by its name: `\tab{name}`.
+  void table(Table table, const Place& place = std::source_location::current());
 
-  /// Registers what a figure's script reads: its size, data, numbers and texts. Throws
-  /// std::logic_error for what no script could read, as require_drawable.
-  void figure(const std::string& name, Figure figure, Location location = Location::current());
+  /// Registers what a figure's script reads: `\fig{name}`.
+  void figure(const std::string& name, Figure figure,
+              const Place& place = std::source_location::current());
 
-  /// Registers something that must hold for the computation to be trusted: what its criteria say,
-  /// of which none may be undecided, or a fact that is no number.
+  /// Registers something that must hold for the computation to be trusted: that all criteria hold,
+  /// or a fact that is no number. The statement is LaTeX.
   void check(const std::string& id, const std::vector<Criterion>& criteria, std::string statement,
-             Location location = Location::current());
+             const Place& place = std::source_location::current());
   void check(const std::string& id, bool passed, std::string statement,
-             Location location = Location::current());
+             const Place& place = std::source_location::current());
 
-  /// Registers a statement with its verdict: `\claim{id}`. Its sentence stands in the
-  /// prose: `\statement{id}{…}`. Throws std::logic_error without a route or a criterion.
-  void claim(const std::string& id, Claim claim, Location location = Location::current());
+  /// Registers a statement with its verdict: `\claim{id}`. Its sentence is in the prose:
+  /// `\statement{id}{…}`. It needs a route and at least one criterion.
+  void claim(const std::string& id, Claim claim,
+             const Place& place = std::source_location::current());
 
-  /// Registers what comes from another program's file, with the place in that file.
-  void value(const std::string& key, Value value, const SourcePlace& place);
-  void table(Table table, const SourcePlace& place);
-
-  /// Keeps a file that values came from: it is written to imports/, listed with its SHA-256 and
-  /// attached to the PDF. Throws std::logic_error as Attachments::add does.
-  void attach(const AttachedFile& file) { registered_.attachments.add(file); }
-  void attach(const Attachments& files) { registered_.attachments.add(files); }
-  const Attachments& attachments() const { return registered_.attachments; }
-
-  /// Tells which case all this was computed from, by its file's name, for `\papercase`, and by the
-  /// SHA-256 of the bytes that were read.
-  void computed_from(const std::string& case_name, const std::string& case_sha256) {
-    registered_.case_name = case_name;
-    registered_.case_sha256 = case_sha256;
-  }
-
-  /// Tells which planted faults turn the claims, for the ledger.
-  void severity(std::optional<Severity> severity) { registered_.severity = std::move(severity); }
-
-  /// Adds all that another document registered, after what this one has, so that parts of a
-  /// document can be computed at the same time. Throws std::logic_error if both registered the same
-  /// key.
+  /// Adds all that another document registered, after what this one has, so that parts can be
+  /// computed at the same time, by several threads or by a script (literate/results/read_document).
   void append(Document part);
 
-  const Registered& registered() const { return registered_; }
-  const std::map<std::string, Value>& values() const { return registered_.values; }
-  /// A value or table that is registered already. Throws std::invalid_argument for another name.
-  const Value& value(const std::string& key, Location location = Location::current()) const;
-  const Table& table(const std::string& name, Location location = Location::current()) const;
+  /// Reports that `done` of `total` steps of a long computation are done. `compute` shows it on a
+  /// terminal, beside the seconds. Any thread may call this.
+  void progress(long done, long total);
 
-  const std::map<std::string, bool>& flags() const { return registered_.flags; }
-  const std::map<std::string, Table>& tables() const { return registered_.tables; }
-  const std::map<std::string, Figure>& figures() const { return registered_.figures; }
-  /// The checks in the order of registration.
-  const std::vector<Check>& checks() const { return registered_.checks; }
-  std::vector<Check> failed_checks() const { return literate::failed_checks(registered_); }
+  /// A value or table that is registered already. Throws Error with the nearest name if it is not.
+  const Value& value(const std::string& key,
+                     const Place& place = std::source_location::current()) const;
+  const Table& table(const std::string& name,
+                     const Place& place = std::source_location::current()) const;
 
-  /// The claims with their ids, in the order of registration: the first is claim 1.
-  const std::vector<std::pair<std::string, Claim>>& claims() const { return registered_.claims; }
+  /// What was registered, by name; checks and claims in the order of registration: the first claim
+  /// is claim 1.
+  const std::map<std::string, Value>& values() const { return values_; }
+  const std::map<std::string, bool>& flags() const { return flags_; }
+  const std::map<std::string, Table>& tables() const { return tables_; }
+  const std::map<std::string, Figure>& figures() const { return figures_; }
+  const std::vector<std::pair<std::string, Check>>& checks() const { return checks_; }
+  const std::vector<std::pair<std::string, Claim>>& claims() const { return claims_; }
 
-  /// What keeps the document from being trusted, as literate::faults tells it.
-  std::vector<std::string> faults() const { return literate::faults(registered_); }
+  /// Where something was registered; `kind` is value, flag, table, figure, check or claim.
+  const std::string& place_of(const std::string& kind, const std::string& name) const;
 
-  /// Where each figure was registered, for draw_figures.
-  std::map<std::string, std::string> figure_places() const {
-    return literate::figure_places(registered_);
-  }
+  /// What keeps the document from being trusted: a line «place: …» for each check that failed and
+  /// each claim that has a different verdict than expected.
+  std::vector<std::string> faults() const;
 
-  /// Writes literate.sty, values.tex, claims.tex, claims.csv, index.tex, values.csv, sources.csv,
-  /// provenance.tex, tables/, excerpts/, imports/, names.json, and into figures/ what draw_figures
-  /// draws from.
-  ///
-  /// All files are written to output_dir + ".part" and moved to output_dir only after everything
-  /// succeeded. Files whose content is the same keep their time stamp, and files of the previous
-  /// run that were not written again are removed. On an error output_dir stays as it was. Throws
-  /// sys::OutputError for a folder that cannot be written.
-  void write(const std::filesystem::path& output_dir,
-             const std::vector<Excerpt>& excerpts = {}) const;
+  /// The counts of progress(), which stay valid while the document is moved.
+  std::shared_ptr<const Progress> progress_so_far() const { return progress_; }
+  /// «value 'x' (src/main.cpp:31)», what was registered last; empty before the first.
+  const std::string& last_registered() const { return last_registered_; }
 
  private:
-  void remember(const std::string& kind, const std::string& name, const SourcePlace& place);
+  void remember(const std::string& kind, const std::string& name, const Place& place);
+  /// Runs `make` and reports what it refuses with place, kind and name.
+  template <typename Make>
+  static auto checked(const std::string& kind, const std::string& name, const Place& place,
+                      Make&& make);
 
-  Registered registered_;
+  std::map<std::string, Value> values_;
+  std::map<std::string, bool> flags_;
+  std::map<std::string, Table> tables_;
+  std::map<std::string, Figure> figures_;
+  std::vector<std::pair<std::string, Check>> checks_;
+  std::vector<std::pair<std::string, Claim>> claims_;
+  std::map<std::pair<std::string, std::string>, std::string> places_;  // by kind and name
+  std::string last_registered_;
+  std::shared_ptr<Progress> progress_ = std::make_shared<Progress>();
 };
 
 }  // namespace literate

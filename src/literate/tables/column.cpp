@@ -7,86 +7,73 @@
 #include <stdexcept>
 #include <utility>
 
+#include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
 
 namespace literate {
 namespace {
 
-bool prints_all_digits(const Format& numbers) {
-  return numbers.notation() == Notation::integer || numbers.notation() == Notation::exact;
+[[noreturn]] void refuse(const Place& place, std::string_view heading, std::string_view why) {
+  fail_at(place, fmt::format("column '{}': {}", heading, why));
 }
 
-[[noreturn]] void refuse(const ColumnFormat& column, const Column::Location& location,
-                         const std::string& why) {
-  throw std::invalid_argument(fmt::format("{}:{}: column '{}': {}", location.file_name(),
-                                          location.line(), column.name(), why));
-}
-
-std::string unit_of(const ColumnFormat& column, const Column::Location& location) {
+std::string heading_of(const std::string& heading, const Place& place) {
   try {
-    return plain_unit(column.unit).empty() ? "" : column.unit;
+    return author_latex(heading);
   } catch (const std::invalid_argument& error) {
-    refuse(column, location, error.what());
+    refuse(place, heading, error.what());
   }
 }
 
 }  // namespace
 
-Column::Column(ColumnFormat format, const Location& location) : format_(std::move(format)) {
-  format_.unit = unit_of(format_, location);
-  const auto& numbers = format_.numbers;
-  if (numbers && numbers->is_percentage() && !format_.unit.empty()) {
-    refuse(format_, location,
-           fmt::format("it is in per cent and has no other unit, such as '{}'", format_.unit));
+Column::Column(std::string heading, const Format& numbers, std::string unit, const Place& place)
+    : heading_(heading_of(heading, place)), numbers_(numbers), unit_(std::move(unit)) {
+  const Notation notation = numbers.notation();
+  is_exact_ = notation == Notation::integer || notation == Notation::exact;
+  try {
+    if (plain_unit(unit_).empty()) unit_.clear();
+  } catch (const std::invalid_argument& error) {
+    refuse(place, heading_, error.what());
   }
-  if (numbers && numbers->rounds_up() && numbers->notation() == Notation::significant) {
-    refuse(format_, location, "only scientific() and fixed() numbers round up");
+  if (numbers.is_percentage() && !unit_.empty()) {
+    refuse(place, heading_, fmt::format("a percentage has no other unit, such as {}", unit_));
+  }
+  if (numbers.rounds_up() && notation == Notation::significant) {
+    refuse(place, heading_, "only scientific() and fixed() numbers of a column round up");
   }
 }
 
-Column::Column(std::string heading, const Format& numbers, std::string unit, Location location)
-    : Column(ColumnFormat{.heading = std::move(heading),
-                          .numbers = numbers,
-                          .unit = std::move(unit),
-                          .is_exact = prints_all_digits(numbers)},
-             location) {}
-
-Column Column::text(std::string heading, double width_cm, Location location) {
-  ColumnFormat format{
-      .heading = std::move(heading), .numbers = std::nullopt, .unit = "", .width_cm = width_cm};
+Column Column::text(std::string heading, double width_cm, const Place& place) {
+  Column column;
+  column.heading_ = heading_of(heading, place);
+  column.width_cm_ = width_cm;
   if (!(std::isfinite(width_cm) && width_cm >= 0)) {
-    refuse(format, location, fmt::format("a width of {} cm", width_cm));
+    refuse(place, heading, fmt::format("a width of {} cm", width_cm));
   }
-  return {std::move(format), location};
+  return column;
 }
 
-Column Column::scaled(int exponent, Location location) const {
-  if (!format_.numbers || format_.numbers->notation() != Notation::fixed ||
-      format_.numbers->rounds_up()) {
-    refuse(format_, location,
-           "only fixed() numbers are scaled: fixed(3) has three digits behind the point of the "
+Column Column::scaled(int exponent, const Place& place) const {
+  if (!numbers_ || numbers_->notation() != Notation::fixed || numbers_->rounds_up()) {
+    refuse(place, heading_,
+           "only fixed() numbers are scaled: fixed(3) has three digits after the point of the "
            "scaled number");
   }
   Column column = *this;
-  column.format_.exponent = exponent;
+  column.exponent_ = exponent;
   return column;
 }
 
 Column Column::exact() const {
   Column column = *this;
-  column.format_.is_exact = true;
+  column.is_exact_ = true;
   return column;
 }
 
-Column Column::named(std::string plain) const {
+Column Column::under(std::string group, const Place& place) const {
   Column column = *this;
-  column.format_.plain = std::move(plain);
-  return column;
-}
-
-Column Column::under(std::string group) const {
-  Column column = *this;
-  column.format_.group = std::move(group);
+  column.group_ = heading_of(group, place);
   return column;
 }
 

@@ -2,75 +2,65 @@
 #pragma once
 
 #include <optional>
-#include <source_location>
 #include <string>
 
+#include "literate/text/place.hpp"
 #include "literate/values/format.hpp"
 
 namespace literate {
 
-/// What a column says of itself and of its numbers. Column explains it.
-struct ColumnFormat {
-  std::string heading;            ///< LaTeX
-  std::optional<Format> numbers;  ///< none for a column of texts
-  std::string unit;               ///< literal text; empty for none
-  std::string group = {};         ///< the heading over this column and its neighbours, LaTeX
-  int exponent = 0;               ///< the power of ten that the unit line states
-  bool is_exact = false;          ///< whether bare numbers are exact
-  double width_cm = 0;            ///< at which texts are broken into lines; 0 for one line
-  std::string plain = {};         ///< the heading as plain text, if that is what it was
-
-  /// The heading as it was given, for messages.
-  const std::string& name() const { return plain.empty() ? heading : plain; }
-};
-
-/// One column of a Table: its heading (LaTeX), how it prints numbers, and their unit (literal
-/// text).
+/// One column of a Table: its heading (LaTeX), how it prints numbers, and their unit.
 ///
-///     Column("$u_z$", significant(8), "in")     // the power of ten they share: below the heading
-///     Column("FEA", fixed(3), "in").scaled(-6)  // in 10⁻⁶ in
-///     Column("$x$", fixed(2), "in").exact()     // parameters, which have no error
-///     Column("misfit", percent(1))              // ratios; (%) below the heading
+///     Column("$u_z$", significant(8), "in")     the power of ten they share is in the head
+///     Column("FEA", fixed(3), "in").scaled(-6)  in 10⁻⁶ in
+///     Column("$x$", fixed(2), "in").exact()     parameters, which have no error
+///     Column("misfit", percent(1))              ratios; (%) below the heading
 ///     Column("nodes", integer())
 ///     Column::text("method")
-///     Column::text("remark", 4.5)               // in lines of 4.5 cm
+///     Column::text("remark", 4.5)               in lines of 4.5 cm
 ///
-/// What is refused is told with the line of the code that asked for it.
+/// In a column of significant(n) it is the largest number that has n digits.
 class Column {
  public:
-  using Location = std::source_location;
-
-  /// Throws std::invalid_argument for a unit that require_unit refuses, and for a percentage with a
-  /// unit.
+  /// Throws Error for a heading whose braces do not match, a unit that UDUNITS-2 does not know, and
+  /// a percentage with a unit.
   Column(std::string heading, const Format& numbers, std::string unit = "",
-         Location location = Location::current());
+         const Place& place = std::source_location::current());
 
-  /// Prints plain text, flush left, in lines of `width_cm` or, without it, in one line. Throws
-  /// std::invalid_argument for a width that is negative or not finite.
+  /// A column of texts, flush left, in lines of `width_cm` or, if that is 0, in one line.
   static Column text(std::string heading, double width_cm = 0,
-                     Location location = Location::current());
+                     const Place& place = std::source_location::current());
 
-  /// Prints the numbers divided by 10^exponent, which the unit line states. Only for fixed():
-  /// throws std::invalid_argument for other formats.
-  Column scaled(int exponent, Location location = Location::current()) const;
+  /// Prints the numbers divided by 10^exponent, which the head states. For fixed() only.
+  Column scaled(int exponent, const Place& place = std::source_location::current()) const;
 
-  /// Declares that bare numbers in this column have no error, such as parameters and abscissae.
-  /// They are not rounded: one with more digits than the format has prints them all. Columns of
-  /// integer() and exact() numbers need not say so.
+  /// Declares that bare numbers in this column are exact, such as parameters and abscissae. One
+  /// with more digits than the format has prints them all. Columns of integer() and exact() numbers
+  /// need not say so.
   Column exact() const;
 
-  /// Puts a heading over this column and those beside it that have the same one.
-  Column under(std::string group) const;
+  /// Puts a heading (LaTeX) over this column and its neighbours that have the same one.
+  Column under(std::string group, const Place& place = std::source_location::current()) const;
 
-  /// Says what the heading was before it was escaped for LaTeX, for messages and CSV files.
-  Column named(std::string plain) const;
-
-  const ColumnFormat& format() const { return format_; }
+  const std::string& heading() const { return heading_; }
+  const std::string& group() const { return group_; }
+  /// How numbers are printed; none for a column of texts.
+  const std::optional<Format>& numbers() const { return numbers_; }
+  const std::string& unit() const { return unit_; }
+  int exponent() const { return exponent_; }
+  bool is_exact() const { return is_exact_; }
+  double width_cm() const { return width_cm_; }
 
  private:
-  Column(ColumnFormat format, const Location& location);
+  Column() = default;
 
-  ColumnFormat format_;
+  std::string heading_;
+  std::string group_;
+  std::optional<Format> numbers_;
+  std::string unit_;
+  int exponent_ = 0;
+  bool is_exact_ = false;
+  double width_cm_ = 0;
 };
 
 }  // namespace literate

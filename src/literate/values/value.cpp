@@ -3,156 +3,105 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "literate/text/latex.hpp"
 #include "literate/text/unit.hpp"
-#include "literate/values/decimal.hpp"
+#include "literate/values/rounding.hpp"
 
 namespace literate {
-
 namespace {
 
-/// A number for readers and for LaTeX.
-struct Print {
-  std::string plain, latex;
-};
-
-/// With a unit as plain text and as siunitx takes it. siunitx prints no number that has two
-/// uncertainties, nor words beside them.
-Print print_of(const NumberPrint& number, const std::string& unit, const std::string& tex_unit) {
-  const std::string space = unit.empty() ? "" : " ";
-  const std::string text = number.text();
-  if (number.beside.empty()) {
-    return {text + space + unit, unit.empty() ? fmt::format("\\num{{{}}}", text)
-                                              : fmt::format("\\qty{{{}}}{{{}}}", text, tex_unit)};
-  }
-  Print print{number.number, fmt::format("\\num{{{}}}", number.number)};
-  for (const auto& [beside, what, sign] : number.beside) {
-    const bool is_to_both = sign == "±";
-    print.plain += (is_to_both ? " ± " : " " + sign) + beside;
-    print.latex += fmt::format(fmt::runtime(is_to_both    ? "\\pm\\num{{{}}}"
-                                            : sign == "+" ? "^{{+\\num{{{}}}}}"
-                                                          : "_{{-\\num{{{}}}}}"),
-                               beside);
-    if (what.empty()) continue;
-    print.plain += fmt::format(" ({})", what);
-    print.latex += fmt::format("\\text{{ ({})}}", escape_latex(what));
-  }
-  if (!number.exponent.empty() || !unit.empty()) {
-    print = {fmt::format("({})", print.plain), fmt::format("({})", print.latex)};
-  }
-  if (!number.exponent.empty()) {
-    print.plain += "e" + number.exponent;
-    print.latex += fmt::format("\\times\\num{{e{}}}", number.exponent);
-  }
-  if (!unit.empty()) print.latex += fmt::format("\\,\\unit{{{}}}", tex_unit);
-  return {print.plain + space + unit, fmt::format("\\ensuremath{{{}}}", print.latex)};
+bool declares_exact(const Format& format) {
+  return format.notation() == Notation::exact || format.notation() == Notation::integer;
 }
 
 }  // namespace
 
-Value::Value(double number, std::optional<Uncertainty> uncertainty, const Format& format,
+Value::Value(double number, const std::optional<Number>& known, const Format& format,
              std::string_view unit)
-    : number_(number), uncertainty_(std::move(uncertainty)), format_(format), unit_(unit) {
-  const std::string unit_text = plain_unit(unit);
-  if (unit_text.empty()) unit_.clear();
-  if (format.is_percentage() && !unit_.empty()) {
-    throw std::invalid_argument(fmt::format("a percentage has no other unit, such as '{}'", unit));
+    : number_(number), known_(known), format_(format), unit_(unit) {
+  try {
+    (void)rounded(format, number, known);
+    if (plain_unit(unit).empty()) unit_.clear();
+    if (format.is_percentage() && !unit_.empty()) {
+      throw std::invalid_argument(fmt::format("a percentage has no other unit, such as {}", unit));
+    }
+  } catch (const std::invalid_argument& error) {
+    problem_ = error.what();
   }
-  if (!std::isfinite(number)) return;
-  const RoundedNumber digits = rounded(format, number, uncertainty_);
-  last_place_ = digits.digits.place;
-  // Multiplying by 100 would round twice; moving the point does not.
-  NumberPrint printed = digits.printed(format.is_percentage() ? -2 : 0);
-  if (printed.exponent == "0") printed.exponent.clear();  // siunitx prints no such exponent
-  const Print print = format.is_percentage() ? print_of(printed, "%", "\\percent")
-                                             : print_of(printed, unit_text, latex_unit(unit_));
-  latex_ = print.latex;
-  printed_ = print.plain;
 }
+
+Value::Value(const Number& number, const Format& format, std::string_view unit)
+    : Value(number.value, number, format, unit) {}
 
 Value::Value(double number, const Format& format, std::string_view unit)
-    : Value(number, std::nullopt, format, unit) {}
-
-Value::Value(numerics::Estimate estimate, const Format& format, std::string_view unit)
-    : Value(estimate.value, Uncertainty(estimate.abs_error), format, unit) {}
-
-Value::Value(const numerics::Measured& measured, const Format& format, std::string_view unit)
-    : Value(measured.value(), Uncertainty(measured), format, unit) {
-  measured_ = measured;
-}
+    : Value(number, declares_exact(format) ? std::optional(Number(number, 0)) : std::nullopt,
+            format, unit) {}
 
 Value Value::text(std::string_view text) {
   Value value;
-  value.latex_ = escape_latex(text);
-  value.printed_ = text;
+  value.text_ = text;
+  try {
+    require_utf8(text);
+  } catch (const std::invalid_argument& error) {
+    value.problem_ = error.what();
+  }
   return value;
 }
 
-void Value::require_finite() const {
-  if (number_ && !std::isfinite(*number_)) {
-    throw std::invalid_argument(fmt::format("{} is not finite", *number_));
+Value Value::within(double bound) const {
+  Value value = *this;
+  if (is_text() || known_ || is_as_is_) {
+    value.problem_ = fmt::format("within({}): it is a text, or its error is known already", bound);
+  } else if (!(bound > 0)) {
+    value.problem_ = fmt::format(
+        "within({}): an exact number is printed by exact() or integer(), and one that is printed "
+        "as it came by .as_is()",
+        bound);
+  } else {
+    value = Value(Number(number_, bound), *format_, unit_);
   }
-  require_held(not_held_, "Value::text");
-  if (number_ && format_ && format_->notation() == Notation::integer &&
-      std::abs(*number_) >= 0x1p53) {
-    throw std::invalid_argument(fmt::format(
-        "{} may be the rounding of another integer, as any number from 2^53 on", *number_));
-  }
-}
-
-bool Value::is_told() const {
-  if (uncertainty_ || is_as_is_) return true;
-  const Notation notation = format_->notation();
-  return notation == Notation::exact || notation == Notation::integer;
-}
-
-std::optional<numerics::Measured> Value::measured() const {
-  if (measured_ || !number_ || !is_told()) return measured_;
-  const Uncertainty uncertainty = uncertainty_.value_or(0);
-  numerics::Measured measured = numerics::Measured::bounded({*number_, uncertainty.bound});
-  for (const auto& [kind, standard] : uncertainty.kinds) {
-    measured = measured + numerics::Measured(0, standard, kind);
-  }
-  return measured;
-}
-
-void Value::require_error() const {
-  if (!number_ || is_told()) return;
-  throw std::invalid_argument(
-      fmt::format("{} comes without its error: give an Estimate or .within(error), or say .as_is() "
-                  "of a number that is printed as it came",
-                  round_trip(*number_)));
-}
-
-void Value::require_untold() const {
-  if (!number_) {
-    throw std::invalid_argument(fmt::format("'{}' is text and can have no error", printed_));
-  }
-  if (is_told()) {
-    throw std::invalid_argument(
-        fmt::format("the error of {} is told already", round_trip(*number_)));
-  }
-}
-
-Value Value::within(double abs_error) const {
-  require_untold();
-  if (abs_error == 0) {
-    throw std::invalid_argument(fmt::format(
-        "'{}' within 0: print an exact number by exact() or integer(), and say .as_is() "
-        "of one that is printed as it came",
-        printed_));
-  }
-  return {*number_, Uncertainty(abs_error), *format_, unit_};
+  return value;
 }
 
 Value Value::as_is() const {
-  require_untold();
   Value value = *this;
   value.is_as_is_ = true;
+  if (is_text() || known_) value.problem_ = "as_is(): it is a text, or its error is known already";
   return value;
+}
+
+void Value::require_valid() const {
+  if (!problem_.empty()) throw std::invalid_argument(problem_);
+  if (is_text() || known_ || is_as_is_) return;
+  throw std::invalid_argument(
+      fmt::format("{} comes without its error: give an Estimate or .within(bound), or say .as_is() "
+                  "of a number that is printed as it came",
+                  round_trip(number_)));
+}
+
+std::string Value::printed() const {
+  if (is_text()) return text_;
+  if (!problem_.empty()) throw std::invalid_argument(problem_);
+  return plain_print(rounded(*format_, number_, known_), is_percentage() ? "%" : plain_unit(unit_));
+}
+
+std::string Value::latex() const {
+  if (is_text()) return latex_escaped(text_);
+  if (!problem_.empty()) throw std::invalid_argument(problem_);
+  return latex_print(rounded(*format_, number_, known_),
+                     is_percentage() ? "\\%" : latex_unit(unit_), is_attached(unit_));
+}
+
+Value Value::formatted(const Format& format) const {
+  Value value(number_, known_, format, unit_);
+  value.is_as_is_ = is_as_is_;
+  return value;
+}
+
+int Value::n_earned_digits() const {
+  return is_text() ? 0 : literate::n_earned_digits(*format_, number_, known_);
 }
 
 }  // namespace literate

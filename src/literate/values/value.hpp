@@ -7,112 +7,81 @@
 #include <string_view>
 
 #include "literate/values/format.hpp"
-#include "numerics/measured.hpp"
+#include "literate/values/number.hpp"
 
 namespace literate {
 
-/// A value as the document prints it, with the unrounded number: Value(4.7e-3, significant(2),
-/// "in").
+/// A number with its format and unit, or a text, as the document prints it:
 ///
-/// Units are spelt as literate/text/unit.hpp says, such as "in", "lbf/in" or "m s-1"; a percentage
-/// has none. Numbers are rounded as literate/values/format.hpp says; one that rounds to zero has no
-/// sign. Every constructor throws std::invalid_argument for what rounded() refuses, for a unit that
-/// cannot be printed. A number that is not finite and a whole number beyond ±2^53 are refused where
-/// they are used, so that the message can name their key.
+///     Value(Estimate{2.0064, 3e-4}, significant(4), "s")   a computed number with its bound
+///     Value({79.4, 0, 0.3}, uncertain(), "V")              {value, bound, standard uncertainty}
+///     Value(0.25, exact(), "m")                            a parameter
+///     Value(n_nodes, integer())                            a count
+///     Value(2.9, significant(2), "s").within(0.1)          a bare number and its bound
+///     Value(residual, scientific(1)).as_is()               a number that is printed as it came
+///
+/// Units are spelt as literate/text/unit.hpp says; a percentage has none. What a value's format
+/// refuses, as rounded() does, is reported where the value is used, with its key: by
+/// Document::value and by the criteria.
 class Value {
  public:
-  /// Prints a number whose error nobody has told yet. exact() and integer() say that it has none;
-  /// of any other one Document::value and Criterion want to know it, by within() or as_is().
+  Value(const Number& number, const Format& format, std::string_view unit = "");
+  /// A bare number: exact() and integer() declare that it is exact, and for any other format
+  /// within() or as_is() has to say what is known of it.
   Value(double number, const Format& format, std::string_view unit = "");
   template <std::integral Integer>
   Value(Integer number, const Format& format, std::string_view unit = "")
-      : Value(static_cast<double>(number), format, unit) {
-    not_held_ = not_held(number);
-  }
+      : Value(static_cast<double>(number), format, unit) {}
 
-  /// Prints a number with its error bound: no digit that the bound does not support.
-  Value(numerics::Estimate estimate, const Format& format, std::string_view unit = "");
-
-  /// Prints a number with its standard uncertainty: no digit that this and its bound, added, do not
-  /// support. Throws InvalidQuantity as its arithmetic does.
-  Value(const numerics::Measured& measured, const Format& format, std::string_view unit = "");
-
-  /// The same of a number whose sources have lost their names.
-  Value(double number, std::optional<Uncertainty> uncertainty, const Format& format,
-        std::string_view unit);
-
-  /// Prints plain text, escaped for LaTeX.
+  /// A plain text, which is escaped for LaTeX.
   static Value text(std::string_view text);
 
-  /// Returns the same number with a bound on its error, in the unit of number(), which for a
-  /// percentage is the ratio. It prints as an estimate does. Throws std::invalid_argument for text,
-  /// for a number whose error is told already, for a bound that is 0, negative or not finite, and
-  /// for what rounded() refuses.
-  Value within(double abs_error) const;
+  /// The same bare number with a bound on its error, in the unit of the number, which for a
+  /// percentage is the ratio.
+  Value within(double bound) const;
 
-  /// Returns the same value, printed as it came and with no claim on its error: a residual, a
-  /// margin, a bound that a formula gave. A criterion takes the number as it stands. Throws
-  /// std::invalid_argument for text and for a number whose error is told already.
+  /// The same bare number, printed as it came and with no claim on its error: a residual, a margin,
+  /// a bound that a formula gave. A criterion takes it as it is.
   Value as_is() const;
 
-  /// Throws std::invalid_argument for a number that is not finite, or whole and beyond ±2^53.
-  void require_finite() const;
+  /// Throws std::invalid_argument with what is wrong with this value: what its format refuses, a
+  /// unit that UDUNITS-2 does not know, an error that nobody gave.
+  void require_valid() const;
 
-  /// The value as LaTeX, such as `\qty{1.5e-6}{in}`, for text and math mode. Throws as
-  /// require_finite does.
-  const std::string& latex() const {
-    require_finite();
-    return latex_;
-  }
-
-  /// The value as plain text, such as "1.5e-6 in". Throws as require_finite does.
-  const std::string& printed() const {
-    require_finite();
-    return printed_;
-  }
-
-  /// The unrounded number; none for text.
-  const std::optional<double>& number() const { return number_; }
-
-  /// What is not known of the number, which came with it or from within(), if any.
-  const std::optional<Uncertainty>& uncertainty() const { return uncertainty_; }
-
-  /// The number with the uncertainty that a criterion counts: none of a number that exact() or
-  /// integer() prints or that stands as it is; nothing if nobody told it.
-  std::optional<numerics::Measured> measured() const;
-
-  /// Whether as_is() made it.
+  bool is_text() const { return !format_; }
   bool is_as_is() const { return is_as_is_; }
+  bool is_percentage() const { return format_ && format_->is_percentage(); }
 
-  /// Throws std::invalid_argument for a number whose error nobody told.
-  void require_error() const;
-
+  /// The unrounded number, in unit(); of a percentage the ratio, and of a text 0.
+  double number() const { return number_; }
+  /// The same with its uncertainty, if that is known.
+  const std::optional<Number>& known() const { return known_; }
+  /// Of values that are not texts.
+  const Format& format() const { return *format_; }
   const std::string& unit() const { return unit_; }
 
-  /// How the number is printed; none for text.
-  const std::optional<Format>& format() const { return format_; }
+  /// As plain text, «1.5e-6 in», and as LaTeX for text and math mode. Both throw as require_valid.
+  std::string printed() const;
+  std::string latex() const;
 
-  /// The power of ten of the last printed digit, in the unit of number(); 0 for text.
-  int last_place() const { return last_place_; }
+  /// The same number in a different format. Of values that are not texts.
+  Value formatted(const Format& format) const;
 
-  /// Whether the number is a ratio that is printed in per cent.
-  bool is_percentage() const { return format_ && format_->is_percentage(); }
+  /// How many significant digits are earned; 0 for a text.
+  int n_earned_digits() const;
 
  private:
   Value() = default;
-  bool is_told() const;
-  void require_untold() const;
+  Value(double number, const std::optional<Number>& known, const Format& format,
+        std::string_view unit);
 
-  std::string latex_;
-  std::string printed_;
-  std::string not_held_;  // a whole number that number_ may not be
-  std::optional<double> number_;
-  std::optional<Uncertainty> uncertainty_;
-  std::optional<numerics::Measured> measured_;  // with the names of the sources, where it has any
+  double number_ = 0;
+  std::optional<Number> known_ = {};
   bool is_as_is_ = false;
-  std::optional<Format> format_;
-  int last_place_ = 0;
+  std::optional<Format> format_ = {};
   std::string unit_;
+  std::string text_;
+  std::string problem_;  // found before the value had a key; require_valid() reports it
 };
 
 }  // namespace literate

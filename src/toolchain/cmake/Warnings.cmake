@@ -20,3 +20,8 @@ endif()
 # Names of source files inside the program (assert, std::source_location) start at the checkout, so that the
 # program and its messages are the same wherever it was built.
 add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
+# ccache compiles with paths that start at the build folder, if it is told to (CCACHE_BASEDIR).
+file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${PROJECT_SOURCE_DIR}")
+if(from_build)
+  add_compile_options("-fmacro-prefix-map=${from_build}=")
+endif()

@@ -1,355 +1,144 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "literate/tables/table.hpp"
 
-#include <fmt/core.h>
-
 #include <boost/test/unit_test.hpp>
-#include <limits>
-#include <source_location>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "holds.hpp"
 #include "message_of.hpp"
-
-BOOST_AUTO_TEST_SUITE(table_test)
 
 using literate::Cell;
 using literate::Column;
 using literate::exact;
 using literate::fixed;
 using literate::integer;
+using literate::Number;
 using literate::percent;
 using literate::scientific;
 using literate::significant;
-using literate::supported;
 using literate::Table;
 using literate::uncertain;
 using numerics::Estimate;
-using std::invalid_argument;
 
 namespace {
 
-// The number that a table of one column prints for a cell.
-std::string printed(const Column& column, const Cell& cell) {
-  return Table("t", {column}).add_row({cell}).printed_numbers().at({0, 0});
+/// What the cells of one column print, and what the unit line of its head says.
+std::vector<std::string> printed(const Column& column, const std::vector<Cell>& cells) {
+  Table table("t", {column});
+  for (const Cell& cell : cells) table.add_row({cell});
+  std::vector<std::string> texts;
+  for (const auto& row : table.printed()) texts.push_back(row.front());
+  return texts;
 }
+
+std::string latex(const Column& column, const std::vector<Cell>& cells) {
+  Table table("t", {column});
+  for (const Cell& cell : cells) table.add_row({cell});
+  return table.latex();
+}
+
+using Texts = std::vector<std::string>;
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(numbers_are_as_wide_as_the_widest) {
-  Table table("t", {Column("$a$", fixed(2)).exact(), Column("$e$", scientific(3), "in").exact(),
-                    Column("$n$", integer())});
-  table.add_row({-1.0, 1.5e-6, 12}).add_row({123.46, -2.39e-12, 1200});
+BOOST_AUTO_TEST_SUITE(table_test)
 
-  const std::string latex = table.latex();
-
-  BOOST_TEST(holds(latex, "{ccc}"));
-  BOOST_TEST(holds(latex,
-                   "  $\\hphantom{00}{-}1.00$ & "
-                   "$\\hphantom{-}1.50\\times10^{-6\\hphantom{0}}$ & "
-                   "$\\hphantom{00}12$ \\\\\n"));
-  BOOST_TEST(holds(latex, "$\\hphantom{-}123.46$ & "));
-  BOOST_TEST(holds(latex,
-                   "${-}2.39\\times10^{-12}$ & "
-                   "$1200$ \\\\\n"));
+BOOST_AUTO_TEST_CASE(columns_print_no_digit_that_is_not_earned) {
+  BOOST_TEST(printed(Column("V", fixed(1), "V"), {Number(79.4, 0, 0.3), Number(79.4, 0.3)}) ==
+             Texts({"79.4", "79"}));
+  BOOST_TEST(printed(Column("x", uncertain()), {Number(994, 0, 22), Estimate{15.9911, 4e-4}}) ==
+             Texts({"994(22)", "15.99110 ± 0.00040"}));
+  BOOST_TEST(printed(Column("x", percent(1)), {Estimate{0.1251, 1e-6}, Estimate{0.13, 0.02}}) ==
+             Texts({"12.5 %", "1e1 %"}));
+  BOOST_TEST(printed(Column("n", integer()), {5, 31220}) == Texts({"5", "31220"}));
 }
 
-BOOST_AUTO_TEST_CASE(a_scaled_column_moves_its_power_of_ten_to_the_unit_line) {
-  Table table("t", {Column("$v$", fixed(3), "in").scaled(-6).exact(),
-                    Column("$E$", fixed(1), "psi").scaled(6).exact(),
-                    Column("$k$", fixed(0)).scaled(3).exact()});
-  table.add_row({1.624e-6, 30e6, 2000.0});
-
-  const std::string latex = table.latex();
-
-  BOOST_TEST(holds(latex, "(\\qty{e-6}{in}) & (\\qty{e6}{psi}) & (\\num{e3})"));
-  BOOST_TEST(holds(latex, "$1.624$ & $30.0$ & $2$ \\\\\n"));
+BOOST_AUTO_TEST_CASE(the_largest_number_of_a_column_has_its_significant_digits) {
+  const std::vector<Cell> small{Estimate{1.623605e-6, 1e-15}, Estimate{9.820083e-7, 1e-15}};
+  BOOST_TEST(printed(Column("u", significant(4), "in"), small) == Texts({"1.624e-6", "0.982e-6"}));
+  BOOST_TEST(holds(latex(Column("u", significant(4), "in"), small), "($10^{-6}\\,\\mathrm{in}$)"));
+  const std::vector<Cell> plain{Estimate{45.3123, 1e-9}, Estimate{7.1, 1e-9}};
+  BOOST_TEST(printed(Column("u", significant(3)), plain) == Texts({"45.3", "7.1"}));
+  BOOST_TEST(printed(Column("u", significant(2)), {Estimate{1250, 1}}) == Texts({"1.2e3"}));
 }
 
-BOOST_AUTO_TEST_CASE(a_common_exponent_is_that_of_the_largest_magnitude) {
-  Table table("t", {Column("$p$", significant(3), "psi").exact()});
-  table.add_row({100.0}).add_row({-10000.0}).add_row({0.0});
-
-  const std::string latex = table.latex();
-
-  BOOST_TEST(holds(latex, "(\\qty{e4}{psi})"));
-  BOOST_TEST(holds(latex,
-                   "  $\\hphantom{-}0.01$ \\\\\n"
-                   "  ${-}1.00$ \\\\\n"
-                   "  $\\hphantom{-}0.00$ \\\\\n"));
+BOOST_AUTO_TEST_CASE(a_scaled_column_states_its_power_of_ten) {
+  const Column column = Column("FEA", fixed(2), "in").scaled(-6);
+  BOOST_TEST(printed(column, {Estimate{1.594637e-6, 1e-12}}) == Texts({"1.59e-6"}));
+  BOOST_TEST(holds(latex(column, {Estimate{1.594637e-6, 1e-12}}), "{}$1.59$"));
 }
 
-BOOST_AUTO_TEST_CASE(a_common_exponent_is_not_below_the_errors) {
-  Table table("t", {Column("difference", significant(2))});
-  table.add_row({Estimate{3e-16, 2e-14}}).add_row({Estimate{-4e-17, 0}});
-
-  const std::string latex = table.latex();
-
-  BOOST_TEST(holds(latex, "(\\num{e-13})"));
-  BOOST_TEST(holds(latex, "$\\hphantom{-}0"));
-  BOOST_TEST(holds(latex, "${-}4\\times10^{-4}$"));
+BOOST_AUTO_TEST_CASE(exact_columns_print_all_digits_of_their_parameters) {
+  BOOST_TEST(printed(Column("x", fixed(2)).exact(), {0.25, 3 * 0.1, 0.005}) ==
+             Texts({"0.25", "0.30", "0.005"}));
+  BOOST_TEST(printed(Column("x", exact()), {0.25, 1e-7}) == Texts({"0.25", "1e-7"}));
+  BOOST_TEST(printed(Column("x", scientific(2)).exact(), {0.125, 0.1}) ==
+             Texts({"1.25e-1", "1.0e-1"}));
 }
 
-BOOST_AUTO_TEST_CASE(without_units_there_is_no_unit_line) {
-  Table table("t", {Column::text("Case"), Column("$x$", fixed(1)).exact()});
-  table.add_row({"50 %", 1.0}).add_row({Cell::latex("$\\infty$"), {}}).add_row({"c", "none"});
-
-  BOOST_TEST(table.latex() ==
-             "\\begin{tabular}{lc}\n"
-             "  \\toprule\n"
-             "  Case & $x$ \\\\\n"
-             "  \\midrule\n"
-             "  50 \\% & $1.0$ \\\\\n"
-             "  $\\infty$ &  \\\\\n"
-             "  c & none \\\\\n"
-             "  \\bottomrule\n"
-             "\\end{tabular}\n");
+BOOST_AUTO_TEST_CASE(quoted_numbers_keep_their_own_digits) {
+  BOOST_TEST(printed(Column("x", fixed(1)), {Cell::quoted(992.8, -1), Cell::quoted(0.300, -3)}) ==
+             Texts({"992.8", "0.300"}));
+  const std::string message = message_of<literate::Error>(
+      [] { printed(Column("x", fixed(1)), {Cell::quoted(992.85, -1)}); });
+  BOOST_TEST(holds(message, "992.85 has more digits than one quoted to the place 1e-1"));
 }
 
-BOOST_AUTO_TEST_CASE(a_column_of_texts_may_have_a_width) {
-  Table table("t", {Column::text("remark", 4.5), Column::text("case")});
-  table.add_row({"a long one", "b"});
-
-  BOOST_TEST(holds(table.latex(), "\\begin{tabular}{>{\\LiterateLines}p{4.5cm}l}"));
-  BOOST_CHECK_THROW(Column::text("remark", -1), invalid_argument);
+BOOST_AUTO_TEST_CASE(points_are_below_one_another) {
+  const std::string text =
+      latex(Column("x", fixed(2)), {Estimate{-7.125, 1e-9}, Estimate{1234.5, 0.1}, Cell()});
+  BOOST_TEST(holds(text, "{}$\\hphantom{000}{-}7.12$ \\\\"));
+  BOOST_TEST(holds(text, "{}$\\hphantom{-}1234.5\\hphantom{0}$ \\\\"));
+  const std::string errors =
+      latex(Column("x", uncertain()), {Number(994, 0, 22), Number(1599.2, 0, 0.78), 7});
+  BOOST_TEST(holds(errors, "{}$\\hphantom{0}994(22)\\hphantom{.}\\hphantom{00}$"));
+  BOOST_TEST(holds(errors, "{}$1599.20(78)$"));
+  BOOST_TEST(holds(errors, "{}$\\hphantom{000}7\\hphantom{.}\\hphantom{00}\\hphantom{(22)}$"));
 }
 
-BOOST_AUTO_TEST_CASE(a_cell_prints_no_digit_that_its_error_does_not_support) {
-  BOOST_TEST(printed(Column("x", fixed(5)), Estimate{0.123456, 1e-9}) == "0.12346");
-  BOOST_TEST(printed(Column("x", fixed(5)), Estimate{0.123456, 2e-3}) == "0.12");
-  BOOST_TEST(printed(Column("x", fixed(2)), Estimate{1234.5, 40}) == "1.2e3");
-  BOOST_TEST(printed(Column("x", scientific(4)), Estimate{2.3456e-7, 3e-9}) == "2.3e-7");
-  BOOST_TEST(printed(Column("x", scientific(2)), Estimate{3e-17, 2e-15}) == "0e-14");
-  BOOST_TEST(printed(Column("x", significant(4), "in"), Estimate{1.23456e-6, 3e-9}) == "1.23e-6");
-  BOOST_TEST(printed(Column("x", fixed(4), "in").scaled(-6), Estimate{1.23456e-6, 3e-9}) ==
-             "1.23e-6");
-  BOOST_TEST(printed(Column("x", percent(2)), Estimate{0.123456, 2e-3}) == "12");
-  BOOST_TEST(printed(Column("x", supported(9)), Estimate{0.123456, 2e-3}) == "0.12");
+BOOST_AUTO_TEST_CASE(no_text_is_read_as_the_argument_of_a_command) {
+  Table table("t", {Column::text("share in %"), Column("length", fixed(2), "mm")});
+  table.add_row({"[9mm] wide", Estimate{3.25, 1e-9}});
+  table.add_row({"* --x", Cell::latex("\\textendash{}")});
+  table.note("50 % of it");
+  const std::string text = table.latex();
+  BOOST_TEST(holds(text, "  {}share in \\% & length \\\\\n  {} & ($\\mathrm{mm}$) \\\\\n"));
+  BOOST_TEST(holds(text, "  \\midrule\n  {}[9mm] wide & $3.25$ \\\\\n"));
+  BOOST_TEST(holds(text, "  {}* -{}-x & \\textendash{} \\\\\n"));
+  BOOST_TEST(holds(text, "\\LiterateNote{50 \\% of it}%\n"));
 }
 
-BOOST_AUTO_TEST_CASE(a_cell_that_is_not_zero_is_not_printed_as_zero) {
-  BOOST_TEST(printed(Column("x", fixed(3)), Estimate{-3e-4, 1e-7}) == "-3.0e-4");
-  BOOST_TEST(printed(Column("x", fixed(2)).exact(), 0.004) == "0.004");
-  BOOST_TEST(printed(Column("x", fixed(3)), Estimate{-3e-4, 1e-2}) == "0.00");
-  BOOST_TEST(printed(Column("x", fixed(3)).exact(), 0.0) == "0.000");
-  BOOST_TEST(printed(Column("x", fixed(2)), numerics::Measured(-0.64, 1.55, "scatter")) ==
-             "-0.6(16)");
-  BOOST_TEST(printed(Column("x", fixed(2)), Estimate{4.9, 5.1}) == "4.9±5.1");
+BOOST_AUTO_TEST_CASE(csv_reads_back_the_same_and_has_the_errors) {
+  Table table("t", {Column("$u$", fixed(2), "mm").under("a, b"), Column::text("method")});
+  table.add_row({Number(0.1, 0.02, 0.3), "by \"hand\""});
+  table.add_row({Cell(), Cell::latex("$x$")});
+  table.note("one\nline");
+  BOOST_TEST(table.csv() ==
+             "\"a, b: $u$ (mm)\",bound,standard,method\n0.1,0.02,0.3,\"by \"\"hand\"\"\"\n"
+             ",,,$x$\n# one line\n");
 }
 
-BOOST_AUTO_TEST_CASE(an_exact_number_is_not_rounded) {
-  BOOST_TEST(printed(Column("x", fixed(1)).scaled(-6).exact(), 0.34e-6) == "0.34e-6");
-  BOOST_TEST(printed(Column("x", fixed(1)).scaled(-6).exact(), 0.3e-6) == "0.3e-6");
-  BOOST_TEST(printed(Column("x", fixed(2)).exact(), -0.3333) == "-0.3333");
-  BOOST_TEST(printed(Column("x", percent(1)).exact(), 0.12345) == "12.345");
-  BOOST_TEST(printed(Column("x", scientific(1)).exact(), 2.5e-7) == "2.5e-7");
-  BOOST_TEST(printed(Column("x", significant(1)).exact(), 0.25) == "2.5e-1");
-  BOOST_TEST(printed(Column("x", exact()), 2.5e-7) == "2.5e-7");
-  // What the arithmetic of a grid leaves is no digit of its points.
-  BOOST_TEST(printed(Column("x", fixed(1)).exact(), 3 * 0.1) == "0.3");
-  BOOST_TEST(printed(Column("x", fixed(1)).scaled(-6).exact(), 1.2345678901234567e-6) ==
-             "1.2345678901234567e-6");
-  BOOST_TEST(printed(Column("x", fixed(20)).exact(), 0.3) == "0.30000000000000000000");
-  BOOST_TEST(printed(Column("x", fixed(1)).exact(), 3 * 0.15) == "0.45");
-}
-
-BOOST_AUTO_TEST_CASE(a_number_without_its_error_is_refused_with_table_row_and_column) {
-  Table table("periods", {Column::text("case"), Column("$T/T_0$", fixed(4), "s")});
-  table.add_row({"a", Estimate{1.5, 1e-4}});
-
-  const std::string bare = message_of<invalid_argument>([&] { table.add_row({"c", 1.25}); });
-
-  const std::string place = "tests/literate/tables/table_test.cpp:";
-  BOOST_TEST(bare.starts_with(place));
-  BOOST_TEST(holds(bare, "table 'periods' (begun at " + place));
-  BOOST_TEST(
-      holds(bare,
-            "), row 2, column 2 '$T/T_0$': 1.25 comes without its error: give an Estimate, or "
-            "declare the column exact"));
-  BOOST_TEST(table.rows().size() == 1U);
-}
-
-BOOST_AUTO_TEST_CASE(what_does_not_fit_a_column_is_refused) {
-  const auto refused = [](const Column& column, const Cell& cell) {
-    BOOST_CHECK_THROW(Table("t", {column}).add_row({cell}), invalid_argument);
+BOOST_AUTO_TEST_CASE(what_a_table_cannot_print_is_refused_with_the_line_of_code) {
+  Table table("t", {Column("u", fixed(2)), Column::text("method")});
+  const auto refused = [&](const std::vector<Cell>& cells) {
+    return message_of<literate::Error>([&] { table.add_row(cells); });
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  BOOST_CHECK_THROW(Table("t", {}), invalid_argument);
-  BOOST_CHECK_THROW(Table("t", {Column("n", integer())}).add_row({1, 2}), invalid_argument);
-  refused(Column("n", integer()), 1.5);
-  refused(Column("n", integer()), Estimate{2, 0.5});
-  refused(Column::text("n"), 1);
-  refused(Column("n", fixed(1)).exact(), nan);
-  refused(Column("n", fixed(1)), Estimate{1, nan});
-  refused(Column("n", fixed(1)), Estimate{1, -1});
-  refused(Column("n", fixed(1)), Estimate{infinity, 1});
-  refused(Column("n", uncertain()).exact(), 1.5);
-  refused(Column("n", percent(1).rounded_up()), Estimate{-0.5, 0.1});
-  BOOST_CHECK_THROW(Column("n", significant(2).rounded_up()), invalid_argument);
-  BOOST_CHECK_THROW(Column("n", percent(1), "in"), invalid_argument);
-  BOOST_CHECK_THROW(Column("share", fixed(1), "#"), invalid_argument);
-}
-
-BOOST_AUTO_TEST_CASE(what_a_column_cannot_be_is_told_with_the_line_that_asked_for_it) {
-  const std::string place = std::source_location::current().file_name();
-  const auto line = __LINE__ + 1;
-  const auto scaled = [] { Column("n", significant(2)).scaled(3); };
-  const auto with_unit = [] { Column("n", percent(1), "in"); };
-
-  BOOST_TEST(message_of<invalid_argument>(scaled) ==
-             fmt::format("{}:{}: column 'n': only fixed() numbers are scaled: fixed(3) has three "
-                         "digits behind the point of the scaled number",
-                         place, line));
-  BOOST_TEST(message_of<invalid_argument>(with_unit) ==
-             fmt::format("{}:{}: column 'n': it is in per cent and has no other unit, such as 'in'",
-                         place, line + 1));
-}
-
-BOOST_AUTO_TEST_CASE(a_quoted_number_keeps_its_digits_in_a_column_of_others) {
-  Table table("t", {Column("$u$", fixed(6), "in").scaled(-6)});
-  table.add_row({Cell::quoted(1.594637e-6, -12)}).add_row({Cell::quoted(9.728517e-7, -13)});
-
-  const std::string latex = table.latex();
-  BOOST_TEST(holds(latex, "$1.594\\,637\\hphantom{0}\\,$"));
-  BOOST_TEST(holds(latex, "$0.972\\,851\\,7$"));
-  BOOST_CHECK_THROW(Cell::quoted(1.5946371e-6, -12), invalid_argument);
-}
-
-BOOST_AUTO_TEST_CASE(percentages_and_uncertainties_stand_in_columns) {
-  Table table("t", {Column("share", percent(1)).exact(), Column("period", uncertain(), "s")});
-  table.add_row({0.125, Estimate{0.786151378, 1.11e-7}}).add_row({1.0, Estimate{2.5, 0}});
-
-  const std::string latex = table.latex();
-  BOOST_TEST(holds(latex, "(\\unit{\\percent}) & (\\unit{s})"));
-  BOOST_TEST(holds(latex, "$\\hphantom{0}12.5$"));
-  BOOST_TEST(holds(latex, "$0.786\\,151\\,38\\pm 0.000\\,000\\,12$"));
-  BOOST_TEST(holds(latex, "$2.5\\hphantom{0000000}\\,\\,\\hphantom{\\pm 0.000\\,000\\,12}$"));
-}
-
-BOOST_AUTO_TEST_CASE(bounds_to_either_side_stand_above_and_below_in_a_column) {
-  Table table("t", {Column("load", uncertain(), "psi")});
-  table.add_row({Cell(994, literate::Uncertainty::to_sides(18, 21))});
-
-  BOOST_TEST(holds(table.latex(), "$994^{+21}_{-18}$"));
-  BOOST_TEST(holds(table.html(), ">994 +21 −18</td>"));
-}
-
-BOOST_AUTO_TEST_CASE(a_heading_spans_the_columns_that_share_it) {
-  Table table(
-      "t", {Column::text("error of"), Column("$r$", fixed(1)).under("triangles"),
-            Column("$C$", fixed(1)).under("triangles"), Column("$r$", fixed(1)).under("uniform")});
-  table.add_row({"peak", 1, 2, 3});
-
-  BOOST_TEST(holds(table.latex(),
-                   "  \\toprule\n"
-                   "   & \\multicolumn{2}{c}{triangles} & \\multicolumn{1}{c}{uniform} \\\\\n"
-                   "  \\cmidrule(lr){2-3} \\cmidrule(lr){4-4}\n"
-                   "  error of & $r$ & $C$ & $r$ \\\\\n"));
-  BOOST_TEST(table.csv() ==
-             "error of,triangles: r,triangles: C,uniform: r\n"
-             "peak,1,2,3\n");
-}
-
-BOOST_AUTO_TEST_CASE(notes_stand_below_and_explain_the_marks_of_cells) {
-  Table table("t", {Column("$x$", fixed(1)).exact()});
-  table.add_row({Cell(1.5).marked("a")});
-  BOOST_CHECK_THROW(table.require_complete(), invalid_argument);
-
-  table.note("a", "by\nhand").note("All in SI.");
-  table.require_complete();
-
-  BOOST_TEST(holds(table.latex(), "\\LiterateNoted{%\n\\begin{tabular}{c}"));
-  BOOST_TEST(holds(table.latex(), "$1.5\\LiterateMark{a}$ \\\\"));
-  BOOST_TEST(
-      holds(table.latex(), "  \\LiterateNote{a}{by\nhand}\n  \\LiterateNote{}{All in SI.}\n}"));
-  BOOST_TEST(table.csv() == "x\n1.5\n# row 1, column 1: a\n# a: by hand\n# All in SI.\n");
-  BOOST_TEST(message_of<invalid_argument>([&] {
-               Table("u", {Column::text("x")}).note("b", "?").require_complete();
-             }).ends_with("table 'u': no cell has the mark 'b' of a note"));
-}
-
-BOOST_AUTO_TEST_CASE(a_table_that_breaks_over_pages_repeats_its_heading) {
-  Table table("t", {Column("$n$", integer()), Column::text("of")});
-  table.add_row({1, "one"}).note("Counted.").break_over_pages();
-
-  BOOST_TEST(table.latex() ==
-             "\\begin{longtable}{cl}\n"
-             "  \\LiterateLongCaption\n"
-             "  \\toprule\n  $n$ & of \\\\\n  \\midrule\n"
-             "  \\endfirsthead\n"
-             "  \\toprule\n  $n$ & of \\\\\n  \\midrule\n"
-             "  \\endhead\n"
-             "  \\midrule\n  \\multicolumn{2}{r}{\\LiterateContinued} \\\\\n  \\endfoot\n"
-             "  \\bottomrule\n  \\endlastfoot\n"
-             "  $1$ & one \\\\\n"
-             "\\end{longtable}\n"
-             "\\begin{LiterateNotes}\n  \\LiterateNote{}{Counted.}\n\\end{LiterateNotes}\n");
-}
-
-BOOST_AUTO_TEST_CASE(csv_has_the_errors_beside_their_numbers) {
-  Table table("t", {Column("$x$", exact(), "in"), Column("$u$", fixed(2), "in").scaled(-6),
-                    Column("share", percent(1))});
-  table.add_row({0.5, Estimate{1.5e-6, 2e-9}, Estimate{0.25, 0}}).add_row({1.5, {}, {}});
-
-  BOOST_TEST(table.csv() ==
-             "x (in),u (in),abs_error,share\n"
-             "0.5,1.5e-06,2e-09,0.25\n"
-             "1.5,,,\n");
-}
-
-BOOST_AUTO_TEST_CASE(csv_has_bounds_to_either_side_where_one_number_has_them) {
-  Table table("t", {Column("$x$", literate::uncertain())});
-  table.add_row({Cell(1.5, literate::Uncertainty::to_sides(0.2, 0.3))})
-      .add_row({Estimate{2.5, 0.1}});
-
-  BOOST_TEST(table.csv() == "x,below,above\n1.5,0.2,0.3\n2.5,0.1,0.1\n");
-}
-
-BOOST_AUTO_TEST_CASE(a_whole_number_that_no_double_holds_is_told_with_its_table_row_and_column) {
-  const std::string message = message_of<invalid_argument>(
-      [] { Table("seeds", {Column("seed", integer())}).add_row({11400714819323198485ULL}); });
-  BOOST_TEST(holds(message, "table 'seeds' (begun at "));
-  BOOST_TEST(holds(message, "row 1, column 1 'seed': 11400714819323198485 is beyond 2^53"));
-  BOOST_TEST(message.ends_with("Cell(\"11400714819323198485\") prints it"), message);
-  BOOST_CHECK_THROW(
-      Table("t", {Column("$n$", integer())}).add_row({std::numeric_limits<std::int64_t>::min()}),
-      invalid_argument);
-}
-
-BOOST_AUTO_TEST_CASE(the_table_of_the_page_has_every_cell_in_its_place) {
-  Table table("prices",
-              {Column::text("fruit"), Column("price", fixed(2), "{kr}").exact().under("2026"),
-               Column("weight", integer(), "g").under("2026")});
-  table.add_row({"apple < pear", 1.5, 160}).add_row({"plum", Cell(2.75).marked("a"), 40});
-  table.note("a", "of this year");
-
-  const std::string html = table.html();
-
-  const auto begin = html.find("<thead>"), end = html.find("</table>");
-  BOOST_TEST(html.substr(begin, end - begin) ==
-             "<thead>\n"
-             "<tr><td></td><th colspan=\"2\" scope=\"colgroup\"><tex>2026</tex></th></tr>\n"
-             "<tr><th scope=\"col\"><tex>fruit</tex></th>"
-             "<th scope=\"col\" class=\"lit-flush\"><tex>price</tex></th>"
-             "<th scope=\"col\" class=\"lit-flush\"><tex>weight</tex></th></tr>\n"
-             "<tr><td><tex></tex></td><td class=\"lit-flush\"><tex>(\\unit{kr})</tex></td>"
-             "<td class=\"lit-flush\"><tex>(\\unit{g})</tex></td></tr>\n"
-             "</thead>\n<tbody>\n"
-             "<tr><td><tex>apple \\textless{} pear</tex></td><td class=\"lit-numeric\">1.50</td>"
-             "<td class=\"lit-numeric\">160</td></tr>\n"
-             "<tr><td><tex>plum</tex></td><td class=\"lit-numeric\">2.75<sup "
-             "class=\"lit-mark\">a</sup></td>"
-             "<td class=\"lit-numeric\">40</td></tr>\n"
-             "</tbody>\n");
-}
-
-BOOST_AUTO_TEST_CASE(a_heading_that_several_columns_have_finds_none) {
-  const Table table("t", {Column("a", integer()), Column("a", integer()), Column("b", integer())});
-  BOOST_TEST(table.column("b") == 2U);
-  BOOST_TEST(message_of<std::invalid_argument>([&] {
-               table.column("a");
-             }).ends_with(": table 't' has 2 columns 'a'"));
+  BOOST_TEST(holds(refused({1}), "table_test.cpp:"));
+  BOOST_TEST(holds(refused({1}), ": table 't', row 1: 1 cells for 2 columns"));
+  BOOST_TEST(holds(refused({0.5, "x"}), "column 1 'u': 0.5 comes without its error"));
+  BOOST_TEST(holds(refused({Estimate{HUGE_VAL, 1}, "x"}), "column 1 'u': inf is not finite"));
+  BOOST_TEST(holds(refused({Number(1, -1), "x"}), "the bound -1 is not finite or below zero"));
+  BOOST_TEST(holds(refused({1, 2}), "column 2 'method': 2 is a number in a column of texts"));
+  BOOST_TEST(holds(refused({1, Cell::latex("{")}), "the braces of '{' do not match"));
+  BOOST_TEST(holds(refused({1, "\xff"}), "is not UTF-8"));
+  const auto column = [](auto&& make) { return message_of<literate::Error>(make); };
+  BOOST_TEST(holds(column([] { Column("u", fixed(1), "{ }"); }), "column 'u': '{ }' is no unit"));
+  BOOST_TEST(holds(column([] { Column("u", percent(1), "m"); }), "a percentage has no other unit"));
+  BOOST_TEST(holds(column([] { Column("u", exact()).scaled(2); }), "only fixed() numbers"));
+  BOOST_TEST(holds(column([] { Table("t", {}); }), "table 't' has no column"));
+  BOOST_TEST(table.column("method") == 1);
+  BOOST_TEST(holds(column([&] { (void)table.column("metod"); }), "did you mean 'method'?"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

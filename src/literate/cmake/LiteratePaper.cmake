@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# literate_add_paper(NAME name PROGRAM target|SCRIPT command… DOCUMENT folder MAIN file CASE file
+#   [FIGURES folder] [SOURCES file|folder…] [DEPENDS file…] [FAULTS file] [OUTPUT folder])
+#
+# Adds the target `name`, which writes OUTPUT/name.pdf, and `name-program`, `name-results` and `name-figures`, which stop
+# earlier. A script whose first word ends with .py runs with CMake's Python3. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja decides what is out of date: a rule's outputs
+# keep their time stamps if their content is the same, and then nothing that depends on them runs.
+find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
+# pyenv and the like find scripts in the place of Python, which take longer to start it than most rules take altogether.
+execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import sys; print(sys.executable)" OUTPUT_VARIABLE literate_PYTHON
+  OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+set(literate_PYTHON "${literate_PYTHON}" CACHE INTERNAL "Runs tools/literate, and scripts that end with .py")
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH literate_ENGINE)
+set(literate_ENGINE "${literate_ENGINE}" CACHE INTERNAL "The folder of literate.sty and tools/")
+
+function(literate_add_paper)
+  cmake_policy(SET CMP0116 OLD) # the depfile is right as it is: no second program has to rewrite it
+  set(one NAME PROGRAM DOCUMENT MAIN CASE FIGURES FAULTS OUTPUT)
+  cmake_parse_arguments(PARSE_ARGV 0 paper "" "${one}" "SCRIPT;SOURCES;DEPENDS")
+  if(paper_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "literate_add_paper: unknown arguments: ${paper_UNPARSED_ARGUMENTS}")
+  endif()
+  foreach(key IN ITEMS NAME DOCUMENT MAIN CASE)
+    if(NOT paper_${key})
+      message(FATAL_ERROR "literate_add_paper: ${key} is missing")
+    endif()
+  endforeach()
+  if((paper_PROGRAM AND paper_SCRIPT) OR NOT (paper_PROGRAM OR paper_SCRIPT))
+    message(FATAL_ERROR "literate_add_paper(NAME ${paper_NAME}): give either PROGRAM or SCRIPT")
+  endif()
+
+  set(name "${paper_NAME}")
+  foreach(key IN ITEMS CASE OUTPUT) # -Dmypaper_CASE=other.toml
+    if(DEFINED ${name}_${key})
+      set(paper_${key} "${${name}_${key}}")
+    endif()
+  endforeach()
+  if(NOT paper_OUTPUT)
+    set(paper_OUTPUT "${CMAKE_BINARY_DIR}/${name}")
+  endif()
+  foreach(key IN ITEMS DOCUMENT CASE FIGURES FAULTS OUTPUT SOURCES DEPENDS)
+    _literate_absolute(paper_${key})
+  endforeach()
+  set(output "${paper_OUTPUT}")
+  set(generated "${output}/generated")
+  set(settings "${output}.json")
+  set(literate "${literate_PYTHON}" -S "${literate_ENGINE}/tools/literate")
+
+  # What computes: a program, or a script whose file literate-results reads.
+  if(TARGET "${paper_PROGRAM}")
+    set(paper_PROGRAM "$<TARGET_FILE:${paper_PROGRAM}>")
+  endif()
+  if(TARGET literate-results)
+    set(results_program "$<TARGET_FILE:literate-results>")
+  else()
+    set(results_program "${literate_RESULTS}")
+  endif()
+  if(paper_SCRIPT)
+    set(computes "${results_program}")
+    if(paper_SCRIPT MATCHES "^[^;]*\\.py(;|$)")
+      list(PREPEND paper_SCRIPT "${literate_PYTHON}")
+    endif()
+    foreach(word IN LISTS paper_SCRIPT)
+      cmake_path(ABSOLUTE_PATH word BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" OUTPUT_VARIABLE file)
+      if(EXISTS "${file}" AND NOT IS_DIRECTORY "${file}")
+        list(APPEND computes "${file}")
+        set(word "${file}")
+      endif()
+      list(APPEND script "${word}")
+    endforeach()
+  else()
+    set(computes "${paper_PROGRAM}")
+  endif()
+  if(paper_FIGURES)
+    file(GLOB scripts CONFIGURE_DEPENDS "${paper_FIGURES}/*.gp")
+    list(FILTER scripts EXCLUDE REGEX "/style\\.gp$")
+    file(GLOB style CONFIGURE_DEPENDS "${paper_FIGURES}/style.gp")
+  endif()
+  _literate_write_settings()
+
+  # Compute. Of what the program writes, Ninja needs to know what later rules read.
+  set(results "${generated}/results.json" "${generated}/values.tex" "${generated}/ledger.tex")
+  foreach(file IN LISTS scripts)
+    cmake_path(GET file STEM LAST_ONLY figure)
+    set(folder "${generated}/figures/${figure}")
+    list(APPEND figure_data "${folder}/inputs.txt")
+    add_custom_command(OUTPUT "${folder}/${figure}.tex" "${folder}/${figure}.pdf"
+      COMMAND ${literate} draw "${settings}" "${figure}"
+      DEPENDS "${file}" "${folder}/inputs.txt" ${style}
+      COMMENT "draw ${figure}" VERBATIM)
+    list(APPEND drawings "${folder}/${figure}.tex" "${folder}/${figure}.pdf")
+  endforeach()
+  add_custom_command(OUTPUT ${results} ${figure_data}
+    COMMAND ${literate} compute "${settings}"
+    DEPENDS "${settings}" "${paper_CASE}" ${computes} ${paper_DEPENDS}
+    COMMENT "compute ${name}" USES_TERMINAL VERBATIM)
+
+  # The commit. Nobody writes the second output, so this rule always runs. (A SYMBOLIC one would end its restat.)
+  add_custom_command(OUTPUT "${generated}/repository.tex" "${output}/always"
+    COMMAND ${literate} repository "${settings}"
+    COMMENT "look up the commit of ${name}" VERBATIM)
+
+  # Typeset. Ninja removes the outputs of a rule that is interrupted, so the output is a stamp, and the PDF stays.
+  set(stamp "${output}/typeset.stamp")
+  file(GLOB tools "${literate_ENGINE}/tools/literate_tools/*.py")
+  list(FILTER tools INCLUDE REGEX "/(typeset|latex_log|manifest|settings|common)\\.py$")
+  add_custom_command(OUTPUT "${stamp}"
+    COMMAND ${literate} typeset "${settings}" "${stamp}" "${stamp}.d"
+    DEPENDS "${settings}" ${results} ${drawings} "${generated}/repository.tex" ${tools}
+    DEPFILE "${stamp}.d"
+    COMMENT "typeset ${name}" VERBATIM)
+  add_custom_command(OUTPUT "${output}/verdict.stamp"
+    COMMAND ${literate} verdict "${settings}" "${output}/verdict.stamp"
+    DEPENDS "${stamp}" "${generated}/results.json"
+    COMMENT "check the claims of ${name}" VERBATIM)
+
+  add_custom_target(${name}-program DEPENDS ${computes})
+  add_custom_target(${name}-results DEPENDS ${results})
+  add_custom_target(${name}-figures DEPENDS ${results} ${drawings})
+  add_custom_target(${name} ALL DEPENDS "${output}/verdict.stamp")
+endfunction()
+
+# Makes the paths of a list absolute.
+macro(_literate_absolute variable)
+  set(absolute "")
+  foreach(path IN LISTS ${variable})
+    cmake_path(ABSOLUTE_PATH path BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+    string(REGEX REPLACE "/$" "" path "${path}")
+    list(APPEND absolute "${path}")
+  endforeach()
+  set(${variable} "${absolute}")
+endmacro()
+
+# Writes the settings; the tools read nothing else of CMake's.
+macro(_literate_write_settings)
+  set(json "{\"versions\": {}}")
+  foreach(pair IN ITEMS "CMake;${CMAKE_VERSION}" "compiler;${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+    list(GET pair 0 key)
+    list(GET pair 1 value)
+    string(JSON json SET "${json}" versions "${key}" "\"${value}\"")
+  endforeach()
+  set(configure "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}")
+  if(literate_DIR)
+    list(APPEND configure "-Dliterate_DIR=${literate_DIR}")
+  endif()
+  foreach(pair IN ITEMS name=name source=CMAKE_SOURCE_DIR document=paper_DOCUMENT main=paper_MAIN case=paper_CASE output=output
+      build=CMAKE_BINARY_DIR faults=paper_FAULTS results_program=results_program)
+    string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
+    set(key "${CMAKE_MATCH_1}")
+    _literate_json(value "${${CMAKE_MATCH_2}}")
+    string(JSON json SET "${json}" "${key}" "${value}")
+  endforeach()
+  foreach(pair IN ITEMS program=paper_PROGRAM script=script sources=paper_SOURCES scripts=scripts configure=configure)
+    string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
+    set(key "${CMAKE_MATCH_1}")
+    set(words "${${CMAKE_MATCH_2}}")
+    set(array "[]")
+    set(index 0)
+    foreach(word IN LISTS words)
+      _literate_json(value "${word}")
+      string(JSON array SET "${array}" ${index} "${value}")
+      math(EXPR index "${index} + 1")
+    endforeach()
+    string(JSON json SET "${json}" "${key}" "${array}")
+  endforeach()
+  file(GENERATE OUTPUT "${settings}" CONTENT "${json}\n")
+endmacro()
+
+# A JSON string of any text.
+function(_literate_json variable text)
+  string(REPLACE "\\" "\\\\" text "${text}")
+  string(REPLACE "\"" "\\\"" text "${text}")
+  set(${variable} "\"${text}\"" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What several verbs share: failures, files, other programs."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ENGINE = Path(__file__).resolve().parent.parent.parent  # holds literate.sty, tools/, python/, template/
+
+
+class Failure(Exception):
+    """Ends the verb with this message and exit code: 1 a comparison failed, 2 bad input, 3 a tool failed."""
+
+    def __init__(self, message: str, code: int = 2) -> None:
+        super().__init__(message)
+        self.code = code
+
+
+def nearest(name: str, known: list[str]) -> str:
+    """Returns «, did you mean 'x'?» for the most similar known name, or nothing."""
+    from difflib import get_close_matches
+    found = get_close_matches(name, known, n=1, cutoff=0.6)
+    return f", did you mean '{found[0]}'?" if found else ""
+
+
+def warn(message: str) -> None:
+    """Prints a line that does not end the verb."""
+    print(message, file=sys.stderr, flush=True)
+
+
+def write_if_changed(path: Path, text: str) -> bool:
+    """Writes a file by renaming a complete one, unless it has this text already: it keeps its time stamp then."""
+    data = text.encode()
+    try:
+        if path.read_bytes() == data:
+            return False
+    except FileNotFoundError:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    write_bytes(path, data)
+    return True
+
+
+def write_bytes(path: Path, data: bytes) -> None:
+    """Writes a file by renaming a complete one into place."""
+    part = path.with_name(f".{path.name}.part")
+    try:
+        part.write_bytes(data)
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def file_time(folder: Path) -> int:
+    """Returns the time stamp that a file of this folder gets now, in nanoseconds."""
+    probe = folder / ".now"
+    probe.touch()
+    return probe.stat().st_mtime_ns
+
+
+def date_back(paths: list[Path], start: int) -> None:
+    """Gives files that were written after `start` that time stamp. What a rule reads may be saved while it runs: Ninja then
+    sees a source that is newer than the result."""
+    for path in paths:
+        if path.stat().st_mtime_ns > start:
+            os.utime(path, ns=(start, start))
+
+
+def sha256(path: Path) -> str:
+    """Returns the SHA-256 of a file as hexadecimal digits."""
+    import hashlib
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def tool(name: str, package: str = "") -> str:
+    """Returns the path of a program, or fails with the Debian package that has it."""
+    found = shutil.which(name)
+    if not found:
+        raise Failure(f"{name} is not installed (Debian package {package or name})", 3)
+    return found
+
+
+def git(folder: Path, *arguments: str) -> str | None:
+    """Returns what git prints, or None if it fails: no repository, no commit, no git."""
+    try:
+        run = subprocess.run(["git", "--no-optional-locks", *arguments], cwd=folder, capture_output=True, text=True,
+                             errors="surrogateescape")
+    except FileNotFoundError:
+        return None
+    return run.stdout.strip() if run.returncode == 0 else None
+
+
+def quiet_run(command: list[str], what: str, **options) -> None:
+    """Runs a long command without its output, which is printed if it fails."""
+    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", **options)
+    if run.returncode:
+        raise Failure(f"{run.stdout.rstrip()}\n{what} failed", 3)
+
+
+def parser(verb: str, docstring: str):
+    """Returns a parser of arguments whose help is the docstring of a verb's module, with its examples at the end."""
+    import argparse
+    what, _, examples = docstring.partition("\nexamples:")
+    return argparse.ArgumentParser(f"literate {verb}", description=what.strip(), epilog=f"examples:{examples}".rstrip(),
+                                   formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False)

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the program of a paper, or its script and literate-results, which writes the folder generated/."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+from literate_tools.common import ENGINE, Failure, date_back, file_time, sha256, write_if_changed
+from literate_tools.settings import Settings, read_settings
+
+
+def run(arguments: list[str]) -> int:
+    """Computes the paper's own case. A claim that fails does not end the build here, but after the PDF."""
+    settings = read_settings(arguments[0])
+    settings.generated.mkdir(parents=True, exist_ok=True)
+    start = file_time(settings.output)
+    compute(settings, settings.case, settings.generated)
+    for script in settings.scripts:
+        write_inputs(settings.generated / "figures" / script.stem)
+    date_back([*settings.generated.glob("*.*"), *settings.generated.glob("figures/*/inputs.txt")], start)
+    return 0
+
+
+def write_inputs(folder: Path) -> None:
+    """Writes the checksums of what gnuplot reads for one figure. Ninja cannot know the names of the CSV files in advance."""
+    files = [*folder.glob("data.gp"), *sorted(folder.glob("*.csv"))]
+    write_if_changed(folder / "inputs.txt", "".join(f"{sha256(file)} {file.name}\n" for file in files))
+
+
+def compute(settings: Settings, case: Path, folder: Path) -> int:
+    """Computes one case into a folder. Returns 1 if the folder is complete and a check or claim in it failed."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if not settings.script:
+        return finish(call([*settings.program, "compute", str(case), str(folder)], settings), folder)
+    registered = folder.parent / "registered.json"
+    registered.unlink(missing_ok=True)
+    code = call([*settings.script, str(case), str(registered)], settings)
+    if code:
+        raise Failure(f"{script_name(settings)} ended with {ending(code)}", 3)
+    if not registered.exists():
+        raise Failure(f"{script_name(settings)} did not write the file that it is given as its second argument", 3)
+    return finish(call([settings.results_program, str(registered), str(folder), case.name], settings), folder)
+
+
+def finish(code: int, folder: Path) -> int:
+    """Accepts 0 and 1, after which the folder is complete. The program has printed its own message for the rest."""
+    if code < 0:
+        raise Failure(f"the program was ended by {ending(code)}", 3)
+    if code > 1:
+        sys.exit(code)
+    if not (folder / "results.json").exists():
+        raise Failure(f"the program ended with {ending(code)} and wrote no results", 3)
+    return code
+
+
+def call(command: list[str], settings: Settings) -> int:
+    """Runs one command in the project's folder, where its numbers depend on no locale or time zone."""
+    environment = os.environ | {"LC_ALL": "C.UTF-8", "TZ": "UTC", "PYTHONDONTWRITEBYTECODE": "1", "PYTHONHASHSEED": "0"}
+    others = os.environ.get("PYTHONPATH")
+    environment["PYTHONPATH"] = f"{ENGINE / 'python'}{f':{others}' if others else ''}"
+    try:
+        return subprocess.run(command, cwd=settings.source, env=environment).returncode
+    except FileNotFoundError:
+        raise Failure(f"{command[0]}: there is no such program", 3) from None
+    except PermissionError:
+        raise Failure(f"{command[0]}: this is no program that can be run", 3) from None
+
+
+def ending(code: int) -> str:
+    """Names an exit code or a signal."""
+    return f"exit code {code}" if code >= 0 else f"signal {signal.Signals(-code).name}"
+
+
+def script_name(settings: Settings) -> str:
+    """Returns the script's file, which is the last argument of its command that is a file."""
+    files = [Path(word) for word in settings.script if Path(word).is_file()]
+    return settings.shown(files[-1]) if files else settings.script[0]

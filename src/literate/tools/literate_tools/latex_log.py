@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads LaTeX's log: errors and warnings with the file and line where the author can mend them."""
+
+import os
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from literate_tools.common import nearest
+from literate_tools.settings import Settings, read_results
+
+COMMANDS = ("val", "rawval", "tab", "fig", "claim", "statement", "quoted", "ifflag", "claimledger", "attachdata", "papercase",
+            "papercommit", "paperday")
+MOST_ERRORS = 10
+PARTS = {"value": "values", "flag": "flags", "table": "tables", "figure": "figures", "claim": "claims"}
+
+
+@dataclass(frozen=True)
+class Error:
+    """An error of LaTeX: the file is absolute, or None where LaTeX names none."""
+
+    file: Path | None
+    line: int
+    message: str
+    is_of_former_run: bool  # in a file that LaTeX wrote itself
+
+
+def log_of(settings: Settings) -> str:
+    """Returns the log of the last run; nothing if LaTeX did not start."""
+    path = settings.latex / f"{settings.name}.log"
+    return path.read_text(errors="replace") if path.exists() else ""
+
+
+def errors(settings: Settings) -> list[Error]:
+    """Returns the errors in the log, in order, each once."""
+    found = {}
+    lines = log_of(settings).splitlines()
+    for number, line in enumerate(lines):
+        placed = re.match(r"(.+?):(\d+): (?! *==>|Emergency)(.*)", line)
+        bare = re.match(r"! (?! *==>|Emergency)(.*)", line)
+        if not placed and not bare:
+            continue
+        message = (placed[3] if placed else bare[1]).removeprefix("Package literate Error: ").removesuffix(".")
+        if bare:  # of a file that is missing LaTeX says where when it stops
+            placed = next(filter(None, (re.match(r"(.+?):(\d+): Emergency stop", later) for later in lines[number:])), None)
+        file = Path(os.path.realpath(settings.document / placed[1])) if placed else None
+        if file and not file.is_file():
+            continue
+        if message.startswith("Undefined control sequence"):  # its name ends the next line
+            name = re.search(r"\\([A-Za-z@]+|.) ?$", lines[number + 1] if number + 1 < len(lines) else "")
+            message = f"undefined command {name[0].strip()}" if name else message
+        error = Error(file, int(placed[2]) if placed else 0, message, bool(file and file.is_relative_to(settings.latex)))
+        found.setdefault(error)
+    return list(found)
+
+
+def report(settings: Settings, all_errors: list[Error]) -> list[str]:
+    """Returns the lines for an author. What follows an unknown name on its line is only a consequence."""
+    unknown = {(error.file, error.line) for error in all_errors if error.message.startswith("unknown ")}
+    kept = [error for error in all_errors
+            if error.message.startswith("unknown ") or (error.file, error.line) not in unknown]
+    results = read_results(settings.generated / "results.json")
+    lines = dict.fromkeys(f"{place(settings, results, error)}{error.message}{suggestion(results, error.message)}" for error in kept)
+    lines = list(lines)
+    commands = {f"undefined command \\{name}" for name in COMMANDS}
+    if not uses_package(settings) and any(error.message in commands for error in all_errors):
+        lines = [f"{first_command(settings)}: \\usepackage{{literate}} is missing"]
+    more = len(lines) - MOST_ERRORS
+    return lines[:MOST_ERRORS] + ([f"and {more} more errors, perhaps because of these"] if more > 0 else [])
+
+
+def place(settings: Settings, results: dict, error: Error) -> str:
+    """Returns where to mend an error: in the prose, or at the line of code that registered what is printed."""
+    if error.file is None:
+        return f"{settings.shown(settings.document / settings.main)}: "
+    if not error.file.is_relative_to(settings.generated):
+        return f"{settings.shown(error.file)}:{error.line}: "
+    kind, name = error.file.parent.name, error.file.stem
+    if kind == "tables" and name in results["tables"]:
+        return f"{results['tables'][name]['place']}: table '{name}': "
+    for script in settings.scripts:
+        if error.file.parent.parent.name == "figures" and script.stem == name:
+            return f"{settings.shown(script)}: figure '{name}': "
+    line = error.file.read_text().splitlines()[error.line - 1]
+    key = re.match(r"\\Literate(?:Value|Rounded|Entry)\{([^}]*)\}", line)
+    found = key and (results["values"].get(key[1]) or results["claims"].get(key[1]))
+    return f"{found['place']}: '{key[1]}': " if found else f"{settings.shown(error.file)}:{error.line}: "
+
+
+def suggestion(results: dict, message: str) -> str:
+    """Returns the nearest known name after «unknown value 'x'»."""
+    found = re.fullmatch(r"unknown (\w+) '(.*)'", message)
+    return nearest(found[2], list(results[PARTS[found[1]]])) if found and found[1] in PARTS else ""
+
+
+def uses_package(settings: Settings) -> bool:
+    """Returns whether the last run read literate.sty."""
+    fls = settings.latex / f"{settings.name}.fls"
+    return fls.exists() and "literate.sty" in fls.read_text(errors="replace")
+
+
+def first_command(settings: Settings) -> str:
+    """Returns the place of the first command of literate.sty in the main file."""
+    main = settings.document / settings.main
+    for number, line in enumerate(main.read_text(errors="replace").splitlines(), 1):
+        if re.search(rf"\\({'|'.join(COMMANDS)})\b", line.partition("%")[0]):
+            return f"{settings.shown(main)}:{number}"
+    return settings.shown(main)
+
+
+def warnings(settings: Settings) -> list[str]:
+    """Returns what the last run warns of and readers would see: «??», labels used twice, missing characters, wide lines."""
+    file, found, outer = settings.main, {}, []
+    for line in log_of(settings).splitlines():
+        if line.startswith("literate: reading "):
+            outer.append(file)
+            file = line.removeprefix("literate: reading ").removeprefix("/").removeprefix("./")
+        elif line.startswith("literate: read") and outer:
+            file = outer.pop()
+        elif match := re.match(r"(?:LaTeX|Package \w+) Warning: (Reference|Citation) [`'](.*?)'.* undefined.* line (\d+)", line):
+            found[f"{shown(settings, file)}:{match[3]}: undefined {match[1].lower()} '{match[2]}'"] = None
+        elif match := re.match(r"LaTeX Warning: Label `(.*?)' multiply defined", line):
+            found[f"{settings.shown(settings.document / settings.main)}: label '{match[1]}' is defined more than once"] = None
+        elif match := re.match(r"Missing character: There is no (\S+)", line):
+            found[f"{shown(settings, file)}: the font has no character {match[1]}"] = None
+        elif match := re.match(r"Overfull \\hbox \(([\d.]+)pt too wide\).* lines? (\d+)", line):
+            if float(match[1]) > 1:
+                found[f"{shown(settings, file)}:{match[2]}: a line is {match[1]}pt too wide"] = None
+    return list(found)
+
+
+def shown(settings: Settings, file: str) -> str:
+    """Returns a file that LaTeX read as its author knows it."""
+    path = settings.document / file
+    if not path.is_file() and path.with_name(path.name + ".tex").is_file():
+        path = path.with_name(path.name + ".tex")
+    return settings.shown(Path(os.path.normpath(path)))
+
+
+def bibtex_warnings(settings: Settings) -> list[str]:
+    """Returns the warnings of BibTeX, such as of an entry that is missing."""
+    text = (settings.latex / f"{settings.name}.blg").read_text(errors="replace")
+    return [f"bibtex: {line.removeprefix('Warning--')}" for line in text.splitlines() if line.startswith("Warning--")]

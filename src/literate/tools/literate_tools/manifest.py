@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The manifest of a PDF: what it was made of and with, each file with its SHA-256, and all results."""
+
+import json
+import re
+import subprocess
+from pathlib import Path
+
+from literate_tools.common import sha256, tool
+from literate_tools.latex_log import log_of
+from literate_tools.settings import Settings, read_results
+
+SCHEMA = 1
+
+
+def manifest(settings: Settings, pdf: Path) -> str:
+    """Returns the text of NAME.manifest.json for a PDF that is not published yet."""
+    outputs = {f"{settings.name}.pdf": sha256(pdf)}
+    outputs |= {f"generated/{name}": sha256(settings.generated / name) for name in output_files(settings)}
+    data = {"schema": SCHEMA, "name": settings.name, "commit": commit(settings), "case": settings.shown(settings.case),
+            "tools": versions(settings), "sources": {settings.shown(path): sha256(path) for path in source_files(settings)},
+            "outputs": outputs, "results": read_results(settings.generated / "results.json")}
+    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+
+
+def output_files(settings: Settings) -> list[str]:
+    """Returns the names of what the program wrote, but for results.json, which the manifest contains."""
+    files = (path for path in settings.generated.rglob("*") if path.is_file() and not path.name.startswith("."))
+    drawings = {f"figures/{script.stem}/{script.stem}.pdf" for script in settings.scripts}  # these hold gnuplot's date
+    names = {path.relative_to(settings.generated).as_posix() for path in files}
+    return sorted(names - drawings - {"results.json"})
+
+
+def source_files(settings: Settings) -> list[Path]:
+    """Returns the case, the sources of the program, the scripts of the figures, and the prose, as far as they are the project's."""
+    from literate_tools.typeset import recorded
+    styles = {script.with_name("style.gp") for script in settings.scripts}
+    files = {settings.case, *recorded(settings), *settings.scripts, *filter(Path.exists, styles)}
+    for folder in settings.sources:
+        files |= {folder} if folder.is_file() else {path for path in folder.rglob("*") if path.is_file()}
+    return sorted(path for path in files if path.is_relative_to(settings.source) and "__pycache__" not in path.parts
+                  and not path.is_relative_to(settings.output) and not path.is_relative_to(settings.build))
+
+
+def versions(settings: Settings) -> dict[str, str]:
+    """Returns the versions of the tools: CMake told those of compiler and engine, LaTeX's log tells its own."""
+    log = log_of(settings)
+    tools = dict(settings.versions)
+    for name, pattern in (("pdfTeX", r"This is pdfTeX, Version (\S+)"), ("LaTeX", r"LaTeX2e <([\d-]+)>")):
+        found = re.search(pattern, log)
+        tools[name] = found[1] if found else "unknown"
+    if settings.scripts:
+        said = subprocess.run([tool("gnuplot", "gnuplot-nox"), "--version"], capture_output=True, text=True).stdout
+        tools["gnuplot"] = said.removeprefix("gnuplot ").strip()
+    return tools
+
+
+def commit(settings: Settings) -> str:
+    """Returns the commit as repository.tex has it."""
+    repository = settings.generated / "repository.tex"
+    found = re.match(r"\\LiterateRepository\{(.*?)\}", repository.read_text()) if repository.exists() else None
+    return found[1] if found else "no commit"

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes a new paper that builds at once: a pendulum, to be replaced by your own numbers and words. Its program is C++, or with
+--python a script, which needs no compiler once the engine is installed.
+
+examples:
+  literate new mypaper && cd mypaper && make
+  literate new --python ~/papers/cooling
+"""
+
+import re
+import shutil
+from pathlib import Path
+
+from literate_tools.common import ENGINE, Failure, git, parser
+
+TEMPLATE_NAME, TEMPLATE_ADDRESS = "mypaper", "https://example.org/halfspace.git"
+
+
+def run(arguments: list[str]) -> int:
+    """Writes the folder."""
+    arguments_of = parser("new", __doc__)
+    arguments_of.add_argument("folder", type=Path, help="the new folder; its name becomes the paper's")
+    arguments_of.add_argument("--python", action="store_true", help="the numbers come from a Python script")
+    given = arguments_of.parse_args(arguments)
+    folder, name = given.folder.absolute(), given.folder.absolute().name
+    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]*", name):
+        raise Failure(f"{name}: the name of a paper has letters, digits, - and _, and begins with a letter")
+    if folder.exists() and any(folder.iterdir()):
+        raise Failure(f"{folder}: this folder is there already")
+    for part in ("common", "python" if given.python else "cpp"):
+        copy(ENGINE / "template" / part, folder, name)
+    (folder / ".engine").write_text(f"{ENGINE}\n")
+    print(f"{given.folder}: cd there and run make; README.md says what is where")
+    return 0
+
+
+def copy(template: Path, folder: Path, name: str) -> None:
+    """Copies a part of the template, in which the paper gets its name."""
+    address = git(ENGINE, "remote", "get-url", "origin") or TEMPLATE_ADDRESS
+    for path in sorted(template.rglob("*")):
+        target = folder / str(path.relative_to(template)).replace(TEMPLATE_NAME, name)
+        if path.name == "gitignore":
+            target = target.with_name(".gitignore")
+        if path.is_dir():
+            target.mkdir(parents=True, exist_ok=True)
+        else:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            text = path.read_text().replace(TEMPLATE_NAME, name).replace(TEMPLATE_ADDRESS, address)
+            target.write_text(text)
+            shutil.copymode(path, target)

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plants faults in a copy of the project, one at a time. Computed with each, the claims that have another verdict are turned by
+it: severity.csv and severity.tex beside the prose record which, and \\claimledger prints them. A claim that no fault turns
+could not have failed. With --tests the tests run instead, and the faults that none of them noticed are listed.
+
+The list of faults has one line for each: id | file | before | after | what is wrong [| test], where the text before is in the
+file exactly once. A run that was stopped goes on where it was.
+
+examples:
+  literate severity build/mypaper.json
+  literate severity build/mypaper.json --only quarter-angle
+  literate severity build/mypaper.json --build 'cmake -S . -B b && cmake --build b' --tests 'ctest --test-dir b -R "$TEST"'
+"""
+
+import csv
+import hashlib
+import io
+import json
+import os
+import re
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from literate_tools.common import Failure, git, parser, quiet_run, write_bytes, write_if_changed
+from literate_tools.settings import Settings, read_results, read_settings
+
+
+@dataclass(frozen=True)
+class Fault:
+    """One line of the list."""
+
+    id: str
+    file: str
+    before: str
+    after: str
+    wrong: str
+    test: str = ""
+
+
+def run(arguments: list[str]) -> int:
+    """Plants the faults and records what notices them. Ends with 1 if a fault is unfit, or unnoticed by the tests."""
+    arguments_of = parser("severity", __doc__)
+    arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
+    arguments_of.add_argument("--only", metavar="ID", help="plant this fault alone, and record nothing")
+    arguments_of.add_argument("--build", default="true", metavar="COMMAND", help="builds the tests, in the copy")
+    arguments_of.add_argument("--tests", metavar="COMMAND", help="runs them; $TEST is the last field of the fault's line")
+    given = arguments_of.parse_args(arguments)
+    settings = read_settings(given.settings)
+    if not settings.faults:
+        raise Failure("literate_add_paper names no FAULTS")
+    faults = read_faults(settings.faults)
+    chosen = [fault for fault in faults if given.only in (None, fault.id)]
+    if not chosen:
+        raise Failure(f"{settings.shown(settings.faults)}: there is no fault '{given.only}'")
+    copy = settings.output / "severity" / "source"
+    mirror(settings, copy)
+    for fault in chosen:
+        planted(copy, fault)  # refuses an unfit line before anything is built
+    if given.tests:
+        return against_tests(copy, chosen, given.build, given.tests)
+    found = against_claims(settings, copy, chosen)
+    if not given.only:
+        record(settings, chosen, found)
+    return 1 if "does not compile" in found.values() else 0
+
+
+def read_faults(file: Path) -> list[Fault]:
+    """Reads the list of faults."""
+    faults: dict[str, Fault] = {}
+    for number, line in enumerate(file.read_text().splitlines(), 1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        fields = [field.strip() for field in re.split(r"(?<=\s)\|(?=\s|$)", line)]
+        if len(fields) not in (5, 6) or not all(fields[:3]):
+            raise Failure(f"{file.name}:{number}: needs id | file | before | after | what is wrong")
+        fault = Fault(*fields)
+        if fault.id in faults:
+            raise Failure(f"{file.name}:{number}: fault '{fault.id}' is there twice")
+        faults[fault.id] = fault
+    return list(faults.values())
+
+
+def mirror(settings: Settings, copy: Path) -> None:
+    """Makes a folder equal to the project's tracked and new files. What is equal keeps its time stamp."""
+    listed = git(settings.source, "ls-files", "-z", "--cached", "--others", "--exclude-standard")
+    names = set(filter(None, listed.split("\0"))) if listed is not None else {
+        str(path.relative_to(settings.source)) for path in settings.source.rglob("*")
+        if path.is_file() and not path.is_relative_to(settings.build)}
+    names = {name for name in names if (settings.source / name).is_file()}
+    for path in [path for path in copy.rglob("*") if path.is_file()]:
+        if str(path.relative_to(copy)) not in names:
+            path.unlink()
+    for name in names:
+        source, target = settings.source / name, copy / name
+        if not target.exists() or target.read_bytes() != source.read_bytes():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            write_bytes(target, source.read_bytes())
+        target.chmod(source.stat().st_mode)
+
+
+def planted(copy: Path, fault: Fault) -> str:
+    """Returns the text of the file with the fault."""
+    path = copy / fault.file
+    if not path.is_file():
+        raise Failure(f"fault '{fault.id}': there is no file {fault.file}")
+    text = path.read_text()
+    if (count := text.count(fault.before)) != 1:
+        raise Failure(f"fault '{fault.id}': {fault.file} has “{fault.before}” {count} times, not once")
+    return text.replace(fault.before, fault.after)
+
+
+def against_claims(settings: Settings, copy: Path, faults: list[Fault]) -> dict[str, str]:
+    """Returns for each fault which claims it turns, or what else happens."""
+    build, output = copy.parent / "build", copy.parent / "output"
+    quiet_run(["cmake", "-S", str(copy), "-B", str(build), "-G", "Ninja", *settings.configure, f"-D{settings.name}_OUTPUT={output}"],
+              "configuring the copy")
+    results = f"{settings.name}-results"
+    quiet_run(["ninja", "-C", str(build), results], "computing without a fault")
+    right = verdicts(output)
+    known_file = copy.parent / "known.json"
+    known = json.loads(known_file.read_text()) if known_file.exists() else {}
+    state = digest_of_sources(settings, copy)
+    found = {}
+    for fault in faults:
+        key = hashlib.sha256(f"{state}{fault}".encode()).hexdigest()
+        if key not in known:
+            known[key] = with_fault(copy, fault, lambda: turned(settings, build, output, right))
+            write_if_changed(known_file, json.dumps(known))
+        found[fault.id] = known[key]
+        print(f"{fault.id}: {found[fault.id]}", flush=True)
+    return found
+
+
+def digest_of_sources(settings: Settings, copy: Path) -> str:
+    """Returns a digest of what the results depend on."""
+    digest = hashlib.sha256()
+    for given in [settings.case, *settings.sources, settings.source / "CMakeLists.txt"]:
+        if given.is_relative_to(settings.source):
+            path = copy / given.relative_to(settings.source)
+            for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
+                digest.update(f"{file}\0".encode() + (file.read_bytes() if file.is_file() else b""))
+    return digest.hexdigest()
+
+
+def with_fault(copy: Path, fault: Fault, action) -> str:
+    """Runs an action while the fault is in the file."""
+    path = copy / fault.file
+    right = path.read_text()
+    path.write_text(planted(copy, fault))
+    try:
+        return action()
+    finally:
+        path.write_text(right)
+
+
+def turned(settings: Settings, build: Path, output: Path, right: dict[str, str]) -> str:
+    """Builds the results with a fault and names the claims and checks with another verdict."""
+    ran = subprocess.run(["ninja", "-C", str(build), f"{settings.name}-results"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                         text=True, errors="replace")
+    if ran.returncode:
+        # The rule that computes is the only one that calls `literate compute`: any other that failed is a compiler's.
+        failed = ran.stdout[ran.stdout.find("FAILED:"):].splitlines()
+        return "stops the computation" if any(" compute " in line for line in failed[:2]) else "does not compile"
+    now = verdicts(output)
+    names = [name for name in right if now.get(name) != right[name]] + [name for name in now if name not in right]
+    return " ".join(names) if names else "nothing"
+
+
+def verdicts(output: Path) -> dict[str, str]:
+    """Returns the verdict of each claim, and of each check as «check:id»."""
+    results = read_results(output / "generated" / "results.json")
+    return {name: claim["verdict"] for name, claim in results["claims"].items()} | {
+        f"check:{name}": str(check["passed"]) for name, check in results["checks"].items()}
+
+
+def record(settings: Settings, faults: list[Fault], found: dict[str, str]) -> None:
+    """Writes severity.csv and severity.tex beside the prose."""
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(["fault", "file", "what is wrong", "turns"])
+    table.writerows([fault.id, fault.file, fault.wrong, found[fault.id]] for fault in faults)
+    claims = list(read_results(settings.generated / "results.json")["claims"])
+    turning = {claim: [fault.id for fault in faults if claim in found[fault.id].split()] for claim in claims}
+    lines = [f"\\LiterateTurned{{{claim}}}{{{', '.join(ids) or 'none'}}}\n" for claim, ids in turning.items()]
+    write_if_changed(settings.document / "severity.csv", text.getvalue())
+    if write_if_changed(settings.document / "severity.tex", "".join(lines)):
+        (settings.output / "typeset.stamp").unlink(missing_ok=True)  # Ninja does not know a file that was not there
+    idle = [claim for claim, ids in turning.items() if not ids]
+    print(f"{len(faults)} faults turn {len(claims) - len(idle)} of {len(claims)} claims" + (f"; not turned: {', '.join(idle)}" if idle else ""))
+
+
+def against_tests(copy: Path, faults: list[Fault], build: str, tests: str) -> int:
+    """Runs the tests with each fault and lists those that none noticed."""
+    def outcome(fault: Fault | None) -> str:
+        environment = os.environ | {"TEST": fault.test if fault else ""}
+        for command, failure in ((build, "does not compile"), (tests, "noticed")):
+            if subprocess.run(command, shell=True, cwd=copy, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode:
+                return failure
+        return "not noticed"
+    if (without := outcome(None)) != "not noticed":
+        raise Failure(f"without a fault the copy {'does not compile' if without != 'noticed' else 'fails its tests'}", 3)
+    bad = 0
+    for fault in faults:
+        result = with_fault(copy, fault, lambda: outcome(fault))
+        if result == "not noticed" and fault.test:  # the other tests may
+            result = with_fault(copy, fault, lambda: outcome(Fault(fault.id, fault.file, fault.before, fault.after, fault.wrong)))
+        bad += result != "noticed"
+        print(f"{fault.id}: {result}" + (f" ({fault.wrong})" if result != "noticed" else ""), flush=True)
+    return 1 if bad else 0

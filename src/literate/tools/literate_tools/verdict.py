@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The last rule of a build: it fails as long as a check or claim fails, so that each build repeats which."""
+
+from pathlib import Path
+
+from literate_tools.common import warn
+from literate_tools.settings import read_results, read_settings
+
+
+def run(arguments: list[str]) -> int:
+    """Touches the stamp, or prints what failed: literate verdict SETTINGS STAMP."""
+    settings = read_settings(arguments[0])
+    failed = read_results(settings.generated / "results.json")["failed"]
+    for line in failed:
+        warn(line)
+    if failed:
+        warn(f"{settings.pdf}: not to be trusted, {len(failed)} {'check or claim' if len(failed) == 1 else 'checks or claims'} failed")
+        return 1
+    Path(arguments[1]).touch()
+    return 0
