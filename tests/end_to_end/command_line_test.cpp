@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "answers.hpp"
 #include "program.hpp"
 
 BOOST_AUTO_TEST_SUITE(command_line_test)
@@ -273,8 +272,7 @@ BOOST_AUTO_TEST_CASE(locale_and_folder_change_nothing) {
 
   BOOST_TEST(
       output_of(command, {.environment = {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "tr_TR.UTF-8"}},
-                          .folder = folder.path(),
-                          .umask = "077"}) == output_of(command));
+                          .folder = folder.path()}) == output_of(command));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

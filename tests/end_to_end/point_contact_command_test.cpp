@@ -5,7 +5,6 @@
 #include <numbers>
 #include <string>
 
-#include "answers.hpp"
 #include "program.hpp"
 
 BOOST_AUTO_TEST_SUITE(point_contact_command_test)
