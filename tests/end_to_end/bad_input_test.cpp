@@ -313,9 +313,7 @@ BOOST_AUTO_TEST_CASE(results_beyond_the_range_of_a_double) {
 BOOST_AUTO_TEST_CASE(output_that_is_lost_is_no_success) {
   if (!fs::exists("/dev/full")) return;
   const auto result =
-      sys::run({.program = "sh",
-                .arguments = {"-c", R"("$1" contact --radius1 10 --load 1 >/dev/full)", "sh",
-                              HALFSPACE_PROGRAM}});
+      run_shell(R"("$1" contact --radius1 10 --load 1 >/dev/full)", {HALFSPACE_PROGRAM});
 
   BOOST_TEST(result.exit_status == 2);
   BOOST_TEST(result.output == "halfspace: standard output cannot be written\n");
