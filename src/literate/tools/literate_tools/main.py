@@ -18,8 +18,9 @@ VERBS = {
     "case": "compute, draw and typeset one case into a folder",
     "cases": "do so for several cases and put their results into one table",
 }
-# The rules of the build; CMake calls them with the settings of a paper.
+# The rules of the build; Make and CMake calls them with the settings of a paper.
 RULES = {
+    "build": "run Ninja and print what matters",
     "compute": "run the program or script",
     "draw": "run gnuplot for one figure",
     "repository": "record the commit for \\papercommit",
