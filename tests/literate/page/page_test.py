@@ -67,10 +67,11 @@ class Paper:
         (folder / "case.toml").write_text("\n")
         shutil.copy(HERE / "body.tex", folder)
         self.write(kind + ".tex", MAIN % CLASSES[kind])
-        self.draw('plot periods using "angle":"integral" with lines title "$T$"')
         self.settings.write_text(json.dumps({
             "name": kind, "source": str(folder), "document": str(folder), "main": f"{kind}.tex", "case": str(folder / "case.toml"),
-            "output": str(self.output), "build": str(folder / "build"), "results_program": "", "versions": {}, "sources": []}))
+            "output": str(self.output), "build": str(folder / "build"), "results_program": "", "sources": [],
+            "scripts": [str(folder / "period.gp")]}))
+        self.draw('plot periods using "angle":"integral" with lines title "$T$"')
 
     def write(self, name, content):
         (self.folder / name).write_text(content, encoding="utf-8")
@@ -81,9 +82,9 @@ class Paper:
         file.write_text(content.replace(old, new), encoding="utf-8")
 
     def draw(self, script):
-        folder = self.generated / "figures/period"
-        (folder / "script.gp").write_text(script + "\n")
-        subprocess.run(["gnuplot", "data.gp", "script.gp"], cwd=folder, check=True)
+        self.write("period.gp", script + "\n")
+        ended = self.literate("draw", self.settings, "period")
+        assert ended.returncode == 0, ended.stderr
 
     def literate(self, *arguments):
         return subprocess.run([sys.executable, "-S", ENGINE / "tools/literate", *map(str, arguments)], cwd=self.folder,
