@@ -53,10 +53,10 @@ watch: ## builds the report after each save, until Ctrl-C
 	@git ls-files -co --exclude-standard | entr -c $(MAKE) --no-print-directory report
 dist: report ## packs the document for arXiv and journals, build/dist
 	@$(literate) dist build/report.json
-html: report ## the report as one page, build/report/report.html
-	@$(literate) html build/report.json
-site: report ## page, PDF and data for any static host, build/report/site
-	@$(literate) site build/report.json
+html: ## the report as one page, build/report/report.html
+	@$(configure); $(ninja) report; $(literate) html build/report.json
+site: ## page, PDF and data for any static host, build/report/site
+	@$(configure); $(ninja) report; $(literate) site build/report.json CITATION.cff
 halfspace: ## the command line of the mechanics, build/release/halfspace
 	@$(configure); $(ninja) halfspace
 course: ## the assignment; without DO its help

@@ -36,7 +36,7 @@ def make_case(settings: Settings, file: Path, folder: Path, numbers_only: bool) 
         from literate_tools.draw import draw
         from literate_tools.repository import record
         from literate_tools.typeset import typeset
-        for script in settings.scripts():
+        for script in settings.scripts:
             draw(settings, script, settings.generated)
         record(settings)
         typeset(settings)

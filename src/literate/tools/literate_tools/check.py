@@ -29,7 +29,7 @@ def run(arguments: list[str]) -> int:
     settings = read_settings(given.settings)
     results = read_results(settings.generated / "results.json")
     texts, uses = document_texts(settings), read_uses(settings)
-    findings = [*typed(settings, texts), *unknown(settings, results, texts), *unused(results, texts, uses),
+    findings = [*typed(settings, texts), *unknown(settings, results, texts), *idle_scripts(settings, results), *unused(results, texts, uses),
                 *latex_log.warnings(settings), *results["failed"]]
     if given.paper:
         findings += altered_quotations(uses, given.paper)
@@ -41,7 +41,7 @@ def run(arguments: list[str]) -> int:
 def typed(settings: Settings, texts: dict[Path, str]) -> list[str]:
     """Returns the numbers that are typed into the prose and into the scripts of the figures."""
     found = [(path, "%", line, number) for path in texts for line, number in typed_numbers(path.read_text(errors="replace"))]
-    found += [(path, "#", line, number) for path in settings.scripts() for line, number in typed_in_script(path.read_text())]
+    found += [(path, "#", line, number) for path in settings.scripts for line, number in typed_in_script(path.read_text())]
     return [f"{settings.shown(path)}:{line}: {number} is typed: register it, or, if it is no result, end the line with '{sign} constant: reason'"
             for path, sign, line, number in found]
 
@@ -51,6 +51,12 @@ def unknown(settings: Settings, results: dict, texts: dict[Path, str]) -> list[s
     return [f"{settings.shown(path)}:{line}: unknown {SINGULAR[NAMED[command]]} '{name}'{nearest(name, list(results[NAMED[command]]))}"
             for path, text in texts.items() for command, name, line in names_in(text)
             if name not in results[NAMED[command]] and "#" not in name]
+
+
+def idle_scripts(settings: Settings, results: dict) -> list[str]:
+    """Returns the scripts of figures that the program does not register."""
+    return [f"{settings.shown(script)}: unknown figure '{script.stem}'{nearest(script.stem, list(results['figures']))}"
+            for script in settings.scripts if script.stem not in results["figures"]]
 
 
 def unused(results: dict, texts: dict[Path, str], uses: list[Use]) -> list[str]:
@@ -79,7 +85,7 @@ def altered_quotations(uses: list[Use], paper: Path) -> list[str]:
 
 def plain(text: str) -> str:
     """Returns the letters, digits and signs of a text: without blanks, hyphens, markup and the shapes of quotes and ligatures."""
-    text = re.sub(r"\\(?:[,;:! ]|[A-Za-z]+\s*)|[{}$~]", " ", text)
+    text = re.sub(r"\\(?:[,;:!/ -]|[A-Za-z]+\s*)|[{}$~\\]", " ", text)
     for shape, letters in (("ﬁ", "fi"), ("ﬂ", "fl"), ("ﬀ", "ff"), ("ﬃ", "ffi"), ("’", "'"), ("‘", "'"), ("``", '"'), ("''", '"'), ("“", '"'), ("”", '"')):
         text = text.replace(shape, letters)
     return re.sub(r"[\s\-–—\u00ad]", "", text).casefold()

@@ -7,22 +7,25 @@ import subprocess
 import sys
 from pathlib import Path
 
-from literate_tools.common import ENGINE, Failure, sha256, write_if_changed
+from literate_tools.common import ENGINE, Failure, date_back, file_time, sha256, write_if_changed
 from literate_tools.settings import Settings, read_settings
 
 
 def run(arguments: list[str]) -> int:
     """Computes the paper's own case. A claim that fails does not end the build here, but after the PDF."""
     settings = read_settings(arguments[0])
+    settings.generated.mkdir(parents=True, exist_ok=True)
+    start = file_time(settings.output)
     compute(settings, settings.case, settings.generated)
-    for data in settings.generated.glob("figures/*/data.gp"):
-        write_inputs(data.parent)
+    for script in settings.scripts:
+        write_inputs(settings.generated / "figures" / script.stem)
+    date_back([*settings.generated.glob("*.*"), *settings.generated.glob("figures/*/inputs.txt")], start)
     return 0
 
 
 def write_inputs(folder: Path) -> None:
     """Writes the checksums of what gnuplot reads for one figure. Ninja cannot know the names of the CSV files in advance."""
-    files = [folder / "data.gp", *sorted(folder.glob("*.csv"))]
+    files = [*folder.glob("data.gp"), *sorted(folder.glob("*.csv"))]
     write_if_changed(folder / "inputs.txt", "".join(f"{sha256(file)} {file.name}\n" for file in files))
 
 

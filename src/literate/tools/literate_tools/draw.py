@@ -7,14 +7,14 @@ import subprocess
 import sys
 from pathlib import Path
 
-from literate_tools.common import Failure, nearest, tool
+from literate_tools.common import Failure, date_back, file_time, tool
 from literate_tools.settings import Settings, read_settings
 
 
 def run(arguments: list[str]) -> int:
     """Draws the figure NAME of the paper's own case: literate draw SETTINGS NAME."""
     settings = read_settings(arguments[0])
-    draw(settings, settings.figures / f"{arguments[1]}.gp", settings.generated)
+    draw(settings, next(script for script in settings.scripts if script.stem == arguments[1]), settings.generated)
     return 0
 
 
@@ -22,12 +22,15 @@ def draw(settings: Settings, script: Path, generated: Path) -> None:
     """Writes figures/NAME/NAME.tex and .pdf. The program wrote data.gp there, which names terminal, data and output."""
     name, shown = script.stem, settings.shown(script)
     folder = generated / "figures" / name
-    if not (folder / "data.gp").exists():
-        known = sorted(f.parent.name for f in generated.glob("figures/*/data.gp"))
-        raise Failure(f"{shown}: the program registers no figure '{name}'{nearest(name, known)}")
+    folder.mkdir(parents=True, exist_ok=True)
+    start = file_time(folder)
     outputs = [folder / f"{name}.tex", folder / f"{name}.pdf"]
     for output in outputs:
         output.unlink(missing_ok=True)
+    if not (folder / "data.gp").exists():  # a case may leave figures out
+        for output in outputs:
+            output.touch()
+        return
     style = script.with_name("style.gp")
     files = ["data.gp", *([str(style)] if style.exists() else []), str(script)]
     ran = subprocess.run([tool("gnuplot", "gnuplot-nox"), "-d", *files], cwd=folder, env=os.environ | {"LC_ALL": "C.UTF-8", "TZ": "UTC"},
@@ -38,6 +41,7 @@ def draw(settings: Settings, script: Path, generated: Path) -> None:
         raise Failure(f"{shown}: gnuplot {'failed' if ran.returncode else 'warned'}", 3)
     if not all(output.exists() and output.stat().st_size for output in outputs):
         raise Failure(f"{shown}: gnuplot drew nothing into {name}.tex and {name}.pdf, which the program set as output", 3)
+    date_back(outputs, start)
 
 
 def with_places(said: str, settings: Settings) -> str:

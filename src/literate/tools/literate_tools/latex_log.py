@@ -36,14 +36,16 @@ def errors(settings: Settings) -> list[Error]:
     found = {}
     lines = log_of(settings).splitlines()
     for number, line in enumerate(lines):
-        placed = re.match(r"(.+?):(\d+): (?!Emergency|==>)(.*)", line)
-        bare = re.match(r"! (?!==>|Emergency)(.*)", line)
+        placed = re.match(r"(.+?):(\d+): (?! *==>|Emergency)(.*)", line)
+        bare = re.match(r"! (?! *==>|Emergency)(.*)", line)
         if not placed and not bare:
             continue
+        message = (placed[3] if placed else bare[1]).removeprefix("Package literate Error: ").removesuffix(".")
+        if bare:  # of a file that is missing LaTeX says where when it stops
+            placed = next(filter(None, (re.match(r"(.+?):(\d+): Emergency stop", later) for later in lines[number:])), None)
         file = Path(os.path.realpath(settings.document / placed[1])) if placed else None
         if file and not file.is_file():
             continue
-        message = (placed[3] if placed else bare[1]).removeprefix("Package literate Error: ").removesuffix(".")
         if message.startswith("Undefined control sequence"):  # its name ends the next line
             name = re.search(r"\\([A-Za-z@]+|.) ?$", lines[number + 1] if number + 1 < len(lines) else "")
             message = f"undefined command {name[0].strip()}" if name else message
@@ -60,8 +62,9 @@ def report(settings: Settings, all_errors: list[Error]) -> list[str]:
     results = read_results(settings.generated / "results.json")
     lines = dict.fromkeys(f"{place(settings, results, error)}{error.message}{suggestion(results, error.message)}" for error in kept)
     lines = list(lines)
-    if not uses_package(settings) and (at := first_command(settings)):
-        lines = [f"{at}: \\usepackage{{literate}} is missing"]
+    commands = {f"undefined command \\{name}" for name in COMMANDS}
+    if not uses_package(settings) and any(error.message in commands for error in all_errors):
+        lines = [f"{first_command(settings)}: \\usepackage{{literate}} is missing"]
     more = len(lines) - MOST_ERRORS
     return lines[:MOST_ERRORS] + ([f"and {more} more errors, perhaps because of these"] if more > 0 else [])
 
@@ -75,8 +78,9 @@ def place(settings: Settings, results: dict, error: Error) -> str:
     kind, name = error.file.parent.name, error.file.stem
     if kind == "tables" and name in results["tables"]:
         return f"{results['tables'][name]['place']}: table '{name}': "
-    if error.file.parent.parent.name == "figures" and settings.figures:
-        return f"{settings.shown(settings.figures / name)}.gp: figure '{name}': "
+    for script in settings.scripts:
+        if error.file.parent.parent.name == "figures" and script.stem == name:
+            return f"{settings.shown(script)}: figure '{name}': "
     line = error.file.read_text().splitlines()[error.line - 1]
     key = re.match(r"\\Literate(?:Value|Rounded|Entry)\{([^}]*)\}", line)
     found = key and (results["values"].get(key[1]) or results["claims"].get(key[1]))

@@ -12,12 +12,15 @@ VERBS = {
     "changes": "list what changed since a commit or another results.json",
     "severity": "plant faults and record which claims or tests notice them",
     "verify": "build the paper again elsewhere and compare every byte",
+    "html": "make the paper a web page: one file that loads nothing",
+    "site": "make a folder for a web server: page, PDF and data",
     "dist": "pack the sources of the document as arXiv and journals take them",
     "case": "compute, draw and typeset one case into a folder",
     "cases": "do so for several cases and put their results into one table",
 }
-# The rules of the build; CMake calls them with the settings of a paper.
+# The rules of the build; Make and CMake calls them with the settings of a paper.
 RULES = {
+    "build": "run Ninja and print what matters",
     "compute": "run the program or script",
     "draw": "run gnuplot for one figure",
     "repository": "record the commit for \\papercommit",

@@ -26,7 +26,7 @@ def manifest(settings: Settings, pdf: Path) -> str:
 def output_files(settings: Settings) -> list[str]:
     """Returns the names of what the program wrote, but for results.json, which the manifest contains."""
     files = (path for path in settings.generated.rglob("*") if path.is_file() and not path.name.startswith("."))
-    drawings = {f"figures/{script.stem}/{script.stem}.pdf" for script in settings.scripts()}  # these hold gnuplot's date
+    drawings = {f"figures/{script.stem}/{script.stem}.pdf" for script in settings.scripts}  # these hold gnuplot's date
     names = {path.relative_to(settings.generated).as_posix() for path in files}
     return sorted(names - drawings - {"results.json"})
 
@@ -34,8 +34,9 @@ def output_files(settings: Settings) -> list[str]:
 def source_files(settings: Settings) -> list[Path]:
     """Returns the case, the sources of the program, the scripts of the figures, and the prose, as far as they are the project's."""
     from literate_tools.typeset import recorded
-    files = {settings.case, *recorded(settings)}
-    for folder in [*settings.sources, *([settings.figures] if settings.figures else [])]:
+    styles = {script.with_name("style.gp") for script in settings.scripts}
+    files = {settings.case, *recorded(settings), *settings.scripts, *filter(Path.exists, styles)}
+    for folder in settings.sources:
         files |= {folder} if folder.is_file() else {path for path in folder.rglob("*") if path.is_file()}
     return sorted(path for path in files if path.is_relative_to(settings.source) and "__pycache__" not in path.parts
                   and not path.is_relative_to(settings.output) and not path.is_relative_to(settings.build))
@@ -48,7 +49,7 @@ def versions(settings: Settings) -> dict[str, str]:
     for name, pattern in (("pdfTeX", r"This is pdfTeX, Version (\S+)"), ("LaTeX", r"LaTeX2e <([\d-]+)>")):
         found = re.search(pattern, log)
         tools[name] = found[1] if found else "unknown"
-    if settings.scripts():
+    if settings.scripts:
         said = subprocess.run([tool("gnuplot", "gnuplot-nox"), "--version"], capture_output=True, text=True).stdout
         tools["gnuplot"] = said.removeprefix("gnuplot ").strip()
     return tools

@@ -40,8 +40,8 @@ def write_marked_pdf(settings: Settings, since: str, former: Path) -> None:
 
 def prose_of_commit(settings: Settings, since: str, folder: Path) -> None:
     """Writes the document's folder as it was at a commit."""
-    below = git(settings.document, "rev-parse", "--show-prefix")
-    archive = subprocess.run(["git", "archive", f"{since}:{below}"], cwd=settings.document, capture_output=True)
+    root, below = git(settings.document, "rev-parse", "--show-toplevel"), git(settings.document, "rev-parse", "--show-prefix")
+    archive = subprocess.run(["git", "archive", f"{since}:{below.rstrip('/')}"], cwd=root, capture_output=True)
     if archive.returncode:
         raise Failure(f"{since} has no folder {below}: {archive.stderr.decode(errors='replace').strip()}")
     with tarfile.open(fileobj=io.BytesIO(archive.stdout)) as tar:

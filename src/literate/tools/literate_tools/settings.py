@@ -22,12 +22,12 @@ class Settings:
     case: Path
     output: Path  # PDF, manifest, generated/ and latex/
     build: Path  # CMake's folder
-    figures: Path | None = None
     faults: Path | None = None
     program: list[str] = field(default_factory=list)  # called with: compute CASE FOLDER
     script: list[str] = field(default_factory=list)  # called with: CASE FILE.json
     results_program: str = ""  # reads FILE.json
     sources: list[Path] = field(default_factory=list)
+    scripts: list[Path] = field(default_factory=list)  # a gnuplot script for each figure
     configure: list[str] = field(default_factory=list)  # what CMake has to be given to build it elsewhere
     versions: dict[str, str] = field(default_factory=dict)
 
@@ -50,19 +50,16 @@ class Settings:
         """Returns the path as an author knows it: relative to the project."""
         return str(path.relative_to(self.source)) if path.is_relative_to(self.source) else str(path)
 
-    def scripts(self) -> list[Path]:
-        """Returns the gnuplot scripts of the figures, without the style that they share."""
-        return sorted(f for f in self.figures.glob("*.gp") if f.name != "style.gp") if self.figures else []
-
 
 def read_settings(file: str | Path) -> Settings:
     """Reads a paper's settings. Without a name (''), there must be one paper in the folder build/."""
     path = Path(file) if file else only_paper()
     try:
         settings = json.loads(path.read_text())
-        for key in ("source", "document", "case", "output", "build", "figures", "faults"):
+        for key in ("source", "document", "case", "output", "build", "faults"):
             settings[key] = Path(settings[key]) if settings.get(key) else None
-        settings["sources"] = [Path(one) for one in settings["sources"]]
+        for key in ("sources", "scripts"):
+            settings[key] = [Path(one) for one in settings[key]]
         return Settings(**settings)
     except FileNotFoundError:
         raise Failure(f"{path}: there is no such file; build the paper first") from None

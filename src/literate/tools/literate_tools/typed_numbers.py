@@ -49,7 +49,7 @@ def typed_numbers(text: str) -> list[tuple[int, str]]:
         formula = next((b for a, b in math if a <= at < b), None)
         has_unit = unit_follows(prose, at, end, formula, in_display)
         line = prose.count("\n", 0, at) + 1
-        if (has_unit or (is_long and not in_display)) and line not in kept and not is_reference(prose, at, end, number):
+        if (has_unit or (is_long and not in_display)) and line not in kept and not is_reference(prose, at, end, number, has_unit):
             found.append((line, number))
     return found
 
@@ -80,7 +80,7 @@ def unit_follows(prose: str, at: int, end: int, formula: int | None, in_display:
     return formula is not None and bool(re.fullmatch(r"[\s}]*\$", prose[end:formula])) and bool(UNIT_IN_TEXT.match(prose, formula))
 
 
-def is_reference(prose: str, at: int, end: int, number: str) -> bool:
+def is_reference(prose: str, at: int, end: int, number: str, has_unit: bool) -> bool:
     """Returns whether a number is a year, in parentheses, behind a month or beside a citation, or a place in a cited source."""
     before, after = prose[max(at - 160, 0):at], prose[end:end + 160]
     if re.fullmatch(r"(1[5-9]|20)\d\d", number):
@@ -88,7 +88,7 @@ def is_reference(prose: str, at: int, end: int, number: str) -> bool:
             return True
         if re.match(rf"[\s~]*{CITE}", after):
             return True
-    return bool(re.search(rf"{CITE}\s*,?{PLACES}$", before)
+    return not has_unit and bool(re.search(rf"{CITE}\s*,?{PLACES}$", before)
                 or re.search(rf"\b(?:[Pp]ages?|pp?\.|[Cc]hapter|[Ss]ection|[Ee]qs?\.|[Ff]igs?\.|[Tt]ables?|\()[\s~(]*$", before)
                 and re.match(rf"{PLACES}[\s~]*{CITE}", after))
 

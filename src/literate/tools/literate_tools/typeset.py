@@ -13,22 +13,24 @@ import sys
 from pathlib import Path
 
 from literate_tools import latex_log
-from literate_tools.common import ENGINE, Failure, tool, warn, write_bytes
+from literate_tools.common import ENGINE, Failure, date_back, file_time, tool, warn, write_bytes
 from literate_tools.settings import Settings, read_settings
 
 MOST_RUNS = 8  # contents, references and an index settle in four
+UNBROKEN = {"max_print_line": "10000", "error_line": "254", "half_error_line": "238"}  # the lines of the log
 # What LaTeX or this module writes for people, and does not read back.
 NOT_READ = {".log", ".pdf", ".fls", ".uses", ".blg", ".ilg", ".gz"}
 
 
 def run(arguments: list[str]) -> int:
     """Typesets the paper's own case: literate typeset SETTINGS STAMP DEPFILE."""
-    settings = read_settings(arguments[0])
+    settings, stamp, depfile = read_settings(arguments[0]), Path(arguments[1]), Path(arguments[2])
+    start = file_time(settings.output)
     typeset(settings)
-    stamp, depfile = Path(arguments[1]), Path(arguments[2])
     dependencies = [path for path in recorded(settings) if not path.is_relative_to(settings.output)]
-    depfile.write_text(f"{escaped(stamp)}: {' '.join(map(escaped, dependencies))}\n")
+    depfile.write_text(f"{escaped(settings, stamp)}: {' '.join(escaped(settings, path) for path in dependencies)}\n")
     stamp.touch()
+    date_back([stamp], start)
     return 0
 
 
@@ -83,7 +85,7 @@ def pdflatex(settings: Settings) -> list[latex_log.Error]:
                f"-jobname={settings.name}", f"-output-directory={os.path.relpath(settings.latex, settings.document)}",
                settings.main]
     (settings.latex / f"{settings.name}.log").unlink(missing_ok=True)
-    ran = subprocess.run(command, cwd=settings.document, env=environment(settings), stdin=subprocess.DEVNULL,
+    ran = subprocess.run(command, cwd=settings.document, env=environment(settings) | UNBROKEN, stdin=subprocess.DEVNULL,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     errors = latex_log.errors(settings)
     if ran.returncode and not errors:
@@ -112,7 +114,7 @@ def run_tool(settings: Settings, name: str, package: str, *arguments: str) -> No
 
 
 def environment(settings: Settings) -> dict[str, str]:
-    """Returns an environment in which the PDF depends on no clock, locale or folder, and no line of the log is broken."""
+    """Returns an environment in which the PDF depends on no clock, locale or folder."""
     day = "1970-01-01"
     repository = settings.generated / "repository.tex"
     if repository.exists():
@@ -123,7 +125,6 @@ def environment(settings: Settings) -> dict[str, str]:
     return os.environ | {
         "SOURCE_DATE_EPOCH": str(timegm(strptime(f"{day} 12", "%Y-%m-%d %H"))), "FORCE_SOURCE_DATE": "1",
         "TZ": "UTC", "LC_ALL": "C", "TEXINPUTS": f"{inputs}:.:",
-        "max_print_line": "100000", "error_line": "254", "half_error_line": "238",
     }
 
 
@@ -139,6 +140,9 @@ def prepare(settings: Settings) -> bool:
     if not link.is_symlink() or os.readlink(link) != str(ENGINE / "literate.sty"):
         link.unlink(missing_ok=True)
         link.symlink_to(ENGINE / "literate.sty")
+    for drawing in settings.generated.glob("figures/*/*.tex"):  # of a script that is gone
+        if drawing.stem not in {script.stem for script in settings.scripts}:
+            drawing.unlink()
     had_files = any(settings.latex.iterdir())
     for folder, folders, files in os.walk(settings.document):
         folders[:] = [f for f in folders if not f.startswith(".") and Path(folder, f) not in (settings.output, settings.build)]
@@ -162,6 +166,7 @@ def recorded(settings: Settings) -> list[Path]:
     return [path for path in paths if not path.is_relative_to(settings.latex)]
 
 
-def escaped(path: Path) -> str:
-    """Returns a path as a depfile holds it."""
-    return str(path).replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
+def escaped(settings: Settings, path: Path) -> str:
+    """Returns a path as a depfile holds it: relative to CMake's folder, since Ninja cannot read each sign in one."""
+    relative = os.path.relpath(path, settings.build) if path.is_relative_to(settings.source) else str(path)
+    return relative.replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")

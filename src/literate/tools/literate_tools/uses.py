@@ -50,13 +50,18 @@ def shown(settings: Settings, file: str) -> str:
 
 
 def document_texts(settings: Settings) -> dict[Path, str]:
-    """Returns the texts of the document without comments: what LaTeX read, and all .tex files beside, which branches of
-    \\ifflag that are not taken may read."""
+    """Returns the texts of the document without comments: those that LaTeX read, and those that they name in branches of
+    \\ifflag that are not taken."""
     from literate_tools.typeset import recorded
-    files = {path for path in recorded(settings) if path.is_relative_to(settings.source)}
-    files |= {path for path in settings.document.rglob("*") if path.is_file()}
-    return {path: without_comments(path.read_text(errors="replace")) for path in sorted(files)
-            if path.suffix == ".tex" and not path.is_relative_to(settings.output) and not path.is_relative_to(settings.build)}
+    files = [path for path in recorded(settings) if path.is_relative_to(settings.source) and path.suffix == ".tex"
+             and not path.is_relative_to(settings.output)]
+    texts: dict[Path, str] = {}
+    while files:
+        path = files.pop(0)
+        if path not in texts and path.is_file():
+            texts[path] = without_comments(path.read_text(errors="replace"))
+            files += [(settings.document / name).with_suffix(".tex") for name in re.findall(r"\\(?:input|include)\s*\{([^{}]+)\}", texts[path])]
+    return dict(sorted(texts.items()))
 
 
 def without_comments(text: str) -> str:
