@@ -166,7 +166,7 @@ void check_conditions(Document& document, const ContactCase& c, const Solution& 
 }
 
 Value radius_of(const parameters::CylinderCase& body, const std::string& unit) {
-  if (body.radius.is_plane()) return Value::text("infinite");
+  if (body.radius.is_plane()) return Value::text("∞");
   return Value(1 / body.radius.curvature(), exact(), unit);
 }
 

@@ -13,18 +13,20 @@ namespace {
 
 // What the commands can compute, and what a sentence of the report would not be true of.
 void require_reportable(const parameters::Case& c) {
-  const config::Table table = config::Table::parse_file(c.file);
-  if (c.half_space.datum < c.half_space.load.half_width()) {
-    table.table("half_space")
-        .fail("datum",
-              fmt::format("{0} {1}: must be at least half_space.load.half_width, {2:.6g} "
-                          "{1}, for the report",
-                          c.half_space.datum, c.units.length, c.half_space.load.half_width()));
+  const auto table = [&](const char* name) {
+    return config::Table::parse_file(c.file).table(name);  // which knows the place of the number
+  };
+  const double half_width = c.half_space.load.half_width();
+  if (c.half_space.datum < half_width) {
+    table("half_space")
+        .fail("datum", fmt::format("{0} {1}: must be at least half_space.load.half_width, {2:.6g} "
+                                   "{1}, for the report",
+                                   c.half_space.datum, c.units.length, half_width));
   }
   constexpr long most_nodes = 401;  // its references are dense
   if (c.contact.n_nodes > most_nodes) {
-    table.table("contact").fail("nodes", fmt::format("{}: must be at most {} for the report",
-                                                     c.contact.n_nodes, most_nodes));
+    table("contact").fail("nodes", fmt::format("{}: must be at most {} for the report",
+                                               c.contact.n_nodes, most_nodes));
   }
 }
 

@@ -14,7 +14,6 @@
 
 BOOST_AUTO_TEST_SUITE(contact_m_test)
 
-using config::PrintedNumber;
 using elasticity::Material;
 using paper::ContactM;
 using paper::ContactMInput;
@@ -62,32 +61,6 @@ double largest_difference(const ContactM& a, const ContactM& b) {
   return largest;
 }
 
-// The displacement that the triangles give a body's surface at x; those at −x too if has_images.
-double displacement(const Material& material, const ContactM& program, double x, bool has_images) {
-  const elasticity::TriangularLoad unit(1, program.x[1]);
-  double u = 0;
-  for (std::size_t j = 0; j < program.x.size(); ++j) {
-    u += program.pressure[j] * normal_displacement(material, unit, x - program.x[j], 1);
-    if (has_images && j > 0) {
-      u += program.pressure[j] * normal_displacement(material, unit, x + program.x[j], 1);
-    }
-  }
-  return u;
-}
-
-// The program's rows: displacement at node 1 less that at node i is the gap there, x²/(2R).
-void check_level(const parameters::ContactCase& contact, const ContactM& program, bool has_images,
-                 bool both) {
-  const auto u = [&](double x) {
-    const double u1 = displacement(contact.body1.material, program, x, has_images);
-    return both ? u1 + displacement(contact.body2.material, program, x, has_images) : u1;
-  };
-  for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(program.zero_node); ++i) {
-    const double x = program.x[i];
-    BOOST_TEST(relative_difference(u(0) - u(x), contact.cylinders.profile().gap(x)) < 1e-9);
-  }
-}
-
 // Every repair, on a grid n times as fine.
 ContactM mended_on_finer_grid(Eigen::Index n) {
   ContactMInput input = papers;
@@ -97,6 +70,19 @@ ContactM mended_on_finer_grid(Eigen::Index n) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(as_printed_it_has_the_pressures_that_octave_computes) {
+  // GNU Octave 7.3.0, report/octave/contact_m.m: fprintf('%.12g ', p(1:8))
+  const double octave[] = {226926.783038, 99689.7576795, 96626.2199066, 84246.3639513,
+                           74734.779840,  63351.6039095, 50117.0700538, 18593.1359069};
+
+  const ContactM program = run_contact_m(papers_contact(), papers);
+
+  for (std::size_t i = 0; i < 8; ++i) {
+    BOOST_TEST(relative_difference(program.pressure[i], octave[i]) < 1e-9);
+  }
+  for (std::size_t i = 8; i < 36; ++i) BOOST_TEST(program.pressure[i] == 0);
+}
 
 BOOST_AUTO_TEST_CASE(as_printed_it_carries_the_load_over_aa_minus_two) {
   ContactMInput input = papers;
@@ -111,54 +97,6 @@ BOOST_AUTO_TEST_CASE(as_printed_it_carries_the_load_over_aa_minus_two) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(its_pressure_is_zero_from_the_typed_node_on) {
-  const ContactM program = run_contact_m(papers_contact(), papers);
-
-  BOOST_TEST(program.pressure.size() == 36U);
-  for (std::size_t i = 0; i < 36; ++i) BOOST_TEST((program.pressure[i] > 0) == (i < 8));
-  for (std::size_t i = 8; i < 36; ++i) BOOST_TEST(program.pressure[i] == 0);
-  BOOST_TEST(program.x[8] == 0.004);
-}
-
-BOOST_AUTO_TEST_CASE(the_listing_is_read_from_what_is_printed) {
-  const paper::PrintedData printed{
-      {},
-      {"", {}, PrintedNumber("0.0000001")},
-      {"", {PrintedNumber("1"), PrintedNumber("1")}, {}, {}, {}},
-      {"", PrintedNumber("0.0005"), PrintedNumber("37"), PrintedNumber("9")}};
-  const ContactMInput input = paper::as_printed(printed);
-
-  BOOST_TEST(input.n_nodes == 36);
-  BOOST_TEST(input.spacing == 0.0005);
-  BOOST_TEST(input.zero_node == 9);
-  BOOST_TEST(input.step == 1e-7);
-}
-
-BOOST_AUTO_TEST_CASE(its_step_moves_the_displacement_at_and_beside_a_node_and_nowhere_else) {
-  // B p = h with B(i,j) = f(−j) − f(i−j) and f(k) at kc, or at kc + step for |k| ≤ 1.
-  const auto contact = papers_contact();
-  ContactMInput input = papers;
-  input.step = 2e-5;
-  const ContactM program = run_contact_m(contact, input);
-  const elasticity::TriangularLoad unit(1, 0.0005);
-  const auto f = [&](int k) {
-    const double x = std::abs(k) <= 1 ? 0.0005 * k + 2e-5 : 0.0005 * k;
-    return normal_displacement(contact.body1.material, unit, x, 1);
-  };
-  for (int i = 1; i < 8; ++i) {
-    double level = 0;
-    for (int j = 0; j < 8; ++j) {
-      level += (f(-j) - f(i - j)) * program.pressure[static_cast<std::size_t>(j)];
-    }
-    BOOST_TEST(relative_difference(level, contact.cylinders.profile().gap(0.0005 * i)) < 1e-9);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_limits_make_one_body_level_on_the_side_that_exists) {
-  const auto contact = papers_contact();
-  check_level(contact, run_contact_m(contact, papers, {.limits = true}), false, false);
-}
-
 BOOST_AUTO_TEST_CASE(the_limits_change_little) {
   const auto contact = papers_contact();
   const ContactM limits = run_contact_m(contact, papers, {.limits = true});
@@ -168,62 +106,11 @@ BOOST_AUTO_TEST_CASE(the_limits_change_little) {
   BOOST_TEST(change < 1e-3 * limits.hertz_peak_pressure);
 }
 
-BOOST_AUTO_TEST_CASE(mirror_images_are_the_same_triangles_on_the_other_side) {
-  const auto contact = papers_contact();
-  const ContactM program = run_contact_m(contact, papers, {.limits = true, .mirror_images = true});
-
-  check_level(contact, program, true, false);
-  BOOST_TEST(program.has_mirror_images);
-  BOOST_TEST(relative_difference(sum(program), 2500 / (7 * 0.0005)) < 1e-12);
-  const double both_sides = 0.0005 * (2 * sum(program) - program.pressure[0]);
-  BOOST_TEST(relative_difference(program.line_load, both_sides) < 1e-14);
-}
-
-BOOST_AUTO_TEST_CASE(without_mirror_images_the_first_node_stands_out) {
-  const auto contact = papers_contact();
-  const auto without = run_contact_m(contact, papers, {.limits = true}).pressure;
-  const auto with =
-      run_contact_m(contact, papers, {.limits = true, .mirror_images = true}).pressure;
-
-  BOOST_TEST(without[0] > 2 * without[1]);
-  BOOST_TEST(with[0] > with[1]);
-  BOOST_TEST(with[0] < 1.01 * with[1]);
-}
-
-BOOST_AUTO_TEST_CASE(with_both_bodies_their_sum_is_level) {
-  const auto contact = cylinders_of({30e6, 0.3}, {10e6, 0.345});
-  check_level(contact, run_contact_m(contact, papers, {.limits = true, .both_bodies = true}), false,
-              true);
-}
-
 BOOST_AUTO_TEST_CASE(as_printed_it_does_not_know_the_second_body) {
   const auto steel = papers_contact();
   const auto rubber = cylinders_of({30e6, 0.3}, {300, 0.49});
 
   BOOST_TEST(largest_difference(run_contact_m(steel, papers), run_contact_m(rubber, papers)) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(with_both_bodies_their_exchange_changes_nothing) {
-  const Material steel(30e6, 0.3);
-  const Material aluminium(10e6, 0.345);
-  const ContactM one = run_contact_m(cylinders_of(steel, aluminium), papers, every);
-  const ContactM other = run_contact_m(cylinders_of(aluminium, steel), papers, every);
-
-  BOOST_TEST(one.zero_node == other.zero_node);
-  BOOST_TEST(largest_difference(one, other) < solved * one.pressure[0]);
-}
-
-BOOST_AUTO_TEST_CASE(the_weight_of_equilibrium_makes_the_load_right) {
-  for (const bool mirror_images : {false, true}) {
-    const ContactM program = run_contact_m(
-        papers_contact(), papers,
-        {.limits = true, .mirror_images = mirror_images, .weight_of_equilibrium = true});
-    BOOST_TEST(relative_difference(program.line_load, 2500) < 1e-12);
-    const double sides = mirror_images ? 2 : 1;
-    BOOST_TEST(relative_difference(
-                   0.0005 * (sides * sum(program) + (1 - sides) * program.pressure[0]), 2500) <
-               1e-12);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(the_typed_node_is_where_the_printed_program_finds_its_free_edge) {
@@ -273,23 +160,6 @@ BOOST_AUTO_TEST_CASE(with_one_body_and_all_else_mended_the_other_is_rigid) {
   const double peak = std::sqrt(2.0) * hertz_of(contact, 2500).peak_pressure();
 
   BOOST_TEST(relative_difference(program.pressure[0], peak) < 1e-3);
-}
-
-BOOST_AUTO_TEST_CASE(with_every_repair_it_is_the_matrix_inversion_on_a_one_sided_grid) {
-  const auto contact = cylinders_of({30e6, 0.3}, {10e6, 0.345});
-  const ContactMInput input{.n_nodes = 47, .spacing = 0.00043, .zero_node = 9, .step = 1e-7};
-  const ContactM program = run_contact_m(contact, input, every);
-  const line_contact::Solution one_sided = line_contact::solve_by_matrix_inversion(
-      {contact.cylinders.profile(),
-       contact.cylinders.contact_modulus(),
-       {.n_nodes = 47, .spacing = 0.00043, .is_one_sided = true}},
-      2500);
-
-  for (Eigen::Index i = 0; i < 47; ++i) {
-    BOOST_TEST(std::abs(program.pressure[static_cast<std::size_t>(i)] - one_sided.pressure[i]) <
-               solved * one_sided.peak_pressure());
-  }
-  BOOST_TEST(relative_difference(program.line_load, 2500) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(with_every_repair_it_is_the_matrix_inversion_on_both_sides) {
