@@ -21,7 +21,7 @@ class NewInCpp(unittest.TestCase):
     def test_from_an_installation_and_from_a_checkout(self):
         with tempfile.TemporaryDirectory(prefix="new-") as name:
             folder = Path(name).resolve()
-            self.run_in(folder, "cmake", "--install", os.environ["LITERATE_BUILD"], "--prefix", folder / "prefix")
+            self.run_in(folder, "cmake", "--install", os.environ["LITERATE_BUILD"] + "/src/literate", "--prefix", folder / "prefix")
             for literate in (folder / "prefix" / "bin" / "literate", ENGINE / "tools" / "literate"):
                 with self.subTest(literate):
                     self.run_in(folder, literate, "new", "cup")
@@ -30,6 +30,10 @@ class NewInCpp(unittest.TestCase):
                     self.assertEqual(self.run_in(paper, "make"), "build/cup/cup.pdf\n")
                     self.assertIn("passed", self.run_in(paper, "make", "test"))
                     self.run_in(paper, "make", "check")
+                    self.run_in(paper, "git", "init", "-q")
+                    self.run_in(paper, "git", "add", "-A")
+                    self.run_in(paper, "git", "-c", "user.name=a", "-c", "user.email=b", "commit", "-qm", "new")
+                    self.assertIn("cup: the same bytes", self.run_in(paper, "make", "verify"))
                     self.assertIn("3 faults turn 2 of 2 claims", self.run_in(paper, "make", "severity"))
                     shutil.rmtree(paper)
 
