@@ -10,7 +10,7 @@
 #include "block/analysis.hpp"
 #include "block/measures.hpp"
 #include "block/rectangle.hpp"
-#include "command_line/stage.hpp"
+#include "command_line/stopwatch.hpp"
 #include "system/error.hpp"
 
 namespace app {

@@ -81,8 +81,9 @@ Table table_of(const Result& result) {
     differences.cells.emplace_back();
     if (!quantity.exact) continue;
     exact.cells.back() = fmt::format("{:.7g}", *quantity.exact);
-    differences.cells.back() =
-        fmt::format("{:.1g} %", 100 * std::abs(quantity.value / *quantity.exact - 1));
+    const double percent = 100 * std::abs(quantity.value / *quantity.exact - 1);
+    constexpr double rounding = 1e-10;
+    differences.cells.back() = fmt::format("{:.1g} %", percent < rounding ? 0 : percent);
   }
   return {labels, values, exact, differences};
 }

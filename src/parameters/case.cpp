@@ -188,6 +188,31 @@ double HalfSpaceCase::farthest_point() const {
   return std::max(std::abs(points.front()), std::abs(points.back()));
 }
 
+CaseFile::CaseFile(const std::filesystem::path& file)
+    : root_(config::Table::parse_file(file)),
+      units_(root_.at("units", [&] { return config::unit_system(root_.text("units")); })) {}
+
+HalfSpaceCase CaseFile::half_space() const {
+  const config::Table table = root_.table("half_space");
+  const HalfSpaceCase half_space = read_half_space(table, units_);
+  table.reject_unknown_keys();
+  return half_space;
+}
+
+ContactCase CaseFile::contact() const {
+  const config::Table table = root_.table("contact");
+  const ContactCase contact = read_contact(table, units_);
+  table.reject_unknown_keys();
+  return contact;
+}
+
+BlockCase CaseFile::block() const {
+  const config::Table table = root_.table("block");
+  const BlockCase block = read_block(table, half_space(), units_);
+  table.reject_unknown_keys();
+  return block;
+}
+
 Case read_case(const std::filesystem::path& file) {
   const config::Table root = config::Table::parse_file(file);
   const std::string title = root.text("title");

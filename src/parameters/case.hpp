@@ -8,7 +8,6 @@
 
 #include "block/discretization.hpp"
 #include "block/rectangle.hpp"
-#include "config/printed_number.hpp"
 #include "config/table.hpp"
 #include "config/units.hpp"
 #include "elasticity/material.hpp"
@@ -74,5 +73,21 @@ struct Case {
 /// The table [printed] is not looked into. Throws config::Error naming file, line, column, key,
 /// value and what is allowed.
 Case read_case(const std::filesystem::path& file);
+
+/// A case file of which a command needs one table: the others may be missing, and each is read when
+/// it is asked for. Errors as those of read_case(); an unknown key counts in what is read.
+class CaseFile {
+ public:
+  explicit CaseFile(const std::filesystem::path& file);
+
+  const config::UnitSystem& units() const { return units_; }
+  HalfSpaceCase half_space() const;
+  ContactCase contact() const;
+  BlockCase block() const;  ///< needs [half_space] too
+
+ private:
+  config::Table root_;
+  config::UnitSystem units_;
+};
 
 }  // namespace parameters

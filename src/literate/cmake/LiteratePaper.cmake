@@ -3,7 +3,7 @@
 #   [FIGURES folder] [SOURCES file|folder…] [DEPENDS file…] [FAULTS file] [OUTPUT folder])
 #
 # Adds the target `name`, which writes OUTPUT/name.pdf, and `name-program`, `name-results` and `name-figures`, which stop
-# earlier. A script whose first word ends with .py runs with CMake's Python3. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja decides what is out of date: a rule's outputs
+# earlier. A script whose first word ends with .py runs with CMake's Python3, and depends on all SOURCES. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja decides what is out of date: a rule's outputs
 # keep their time stamps if their content is the same, and then nothing that depends on them runs.
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 # pyenv and the like find scripts in the place of Python, which take longer to start it than most rules take altogether.
@@ -14,7 +14,8 @@ cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH literate_ENGINE)
 set(literate_ENGINE "${literate_ENGINE}" CACHE INTERNAL "The folder of literate.sty and tools/")
 
 function(literate_add_paper)
-  cmake_policy(SET CMP0116 OLD) # the depfile is right as it is: no second program has to rewrite it
+  # Without CMP0116, of 3.20: the depfile is right as it is, and what CMake would make of it Ninja cannot read in a path with a quote.
+  cmake_policy(VERSION 3.19)
   set(one NAME PROGRAM DOCUMENT MAIN CASE FIGURES FAULTS OUTPUT)
   cmake_parse_arguments(PARSE_ARGV 0 paper "" "${one}" "SCRIPT;SOURCES;DEPENDS")
   if(paper_UNPARSED_ARGUMENTS)
@@ -67,6 +68,15 @@ function(literate_add_paper)
         set(word "${file}")
       endif()
       list(APPEND script "${word}")
+    endforeach()
+    foreach(path IN LISTS paper_SOURCES) # the modules of the script
+      if(IS_DIRECTORY "${path}")
+        file(GLOB_RECURSE files CONFIGURE_DEPENDS "${path}/*")
+        list(FILTER files EXCLUDE REGEX "/__pycache__/")
+        list(APPEND computes ${files})
+      else()
+        list(APPEND computes "${path}")
+      endif()
     endforeach()
   else()
     set(computes "${paper_PROGRAM}")

@@ -125,7 +125,10 @@ class Document:
 
     def value(self, key: str, value: Any, **how: Any) -> None:
         """Registers a number for `\\val{key}`, with the arguments of number(), or a text."""
-        self._add("values", key, {"text": value} if isinstance(value, str) else number(value, **how))
+        entry = {"text": value} if isinstance(value, str) else number(value, **how)
+        if "number" in entry and "format" not in entry:
+            raise ValueError(f"value '{key}' needs a format: digits=, decimals=, percent=, scientific= or format=")
+        self._add("values", key, entry)
 
     def flag(self, key: str, value: Any) -> None:
         """Registers a condition for `\\ifflag{key}{yes}{no}`."""

@@ -17,6 +17,7 @@ from literate_tools.common import ENGINE, Failure, date_back, file_time, tool, w
 from literate_tools.settings import Settings, read_settings
 
 MOST_RUNS = 8  # contents, references and an index settle in four
+UNBROKEN = {"max_print_line": "10000", "error_line": "254", "half_error_line": "238"}  # the lines of the log
 # What LaTeX or this module writes for people, and does not read back.
 NOT_READ = {".log", ".pdf", ".fls", ".uses", ".blg", ".ilg", ".gz"}
 
@@ -84,7 +85,7 @@ def pdflatex(settings: Settings) -> list[latex_log.Error]:
                f"-jobname={settings.name}", f"-output-directory={os.path.relpath(settings.latex, settings.document)}",
                settings.main]
     (settings.latex / f"{settings.name}.log").unlink(missing_ok=True)
-    ran = subprocess.run(command, cwd=settings.document, env=environment(settings), stdin=subprocess.DEVNULL,
+    ran = subprocess.run(command, cwd=settings.document, env=environment(settings) | UNBROKEN, stdin=subprocess.DEVNULL,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     errors = latex_log.errors(settings)
     if ran.returncode and not errors:
@@ -113,7 +114,7 @@ def run_tool(settings: Settings, name: str, package: str, *arguments: str) -> No
 
 
 def environment(settings: Settings) -> dict[str, str]:
-    """Returns an environment in which the PDF depends on no clock, locale or folder, and no line of the log is broken."""
+    """Returns an environment in which the PDF depends on no clock, locale or folder."""
     day = "1970-01-01"
     repository = settings.generated / "repository.tex"
     if repository.exists():
@@ -124,7 +125,6 @@ def environment(settings: Settings) -> dict[str, str]:
     return os.environ | {
         "SOURCE_DATE_EPOCH": str(timegm(strptime(f"{day} 12", "%Y-%m-%d %H"))), "FORCE_SOURCE_DATE": "1",
         "TZ": "UTC", "LC_ALL": "C", "TEXINPUTS": f"{inputs}:.:",
-        "max_print_line": "100000", "error_line": "254", "half_error_line": "238",
     }
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "config/printed_number.hpp"
+#include "parameters/printed_number.hpp"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 
 #include "system/decimal.hpp"
 
-namespace config {
+namespace parameters {
 namespace {
 
 /// Rounds a number correctly to `n_digits` significant digits, as text with an exponent.
@@ -41,4 +41,22 @@ bool PrintedNumber::agrees_with(double number) const {
   return rounded(number, n_digits_) == rounded(value_, n_digits_);
 }
 
-}  // namespace config
+PrintedNumber printed_number(const config::Table& table, const std::string& key) {
+  try {
+    return PrintedNumber(table.text(key));
+  } catch (const std::invalid_argument& e) {
+    table.fail(key, e.what());
+  }
+}
+
+std::vector<PrintedNumber> printed_numbers(const config::Table& table, const std::string& key) {
+  std::vector<PrintedNumber> numbers;
+  try {
+    for (const std::string& text : table.texts(key)) numbers.emplace_back(text);
+  } catch (const std::invalid_argument& e) {
+    table.fail(key, e.what());
+  }
+  return numbers;
+}
+
+}  // namespace parameters

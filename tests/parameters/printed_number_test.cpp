@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "config/printed_number.hpp"
+#include "parameters/printed_number.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
 BOOST_AUTO_TEST_SUITE(printed_number_test)
 
-using config::PrintedNumber;
+using parameters::PrintedNumber;
 
 BOOST_AUTO_TEST_CASE(digits_and_last_place_are_counted_as_printed) {
   const PrintedNumber matlab("1.6236048e-006");

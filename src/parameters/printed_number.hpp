@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-namespace config {
+#include "config/table.hpp"
+
+namespace parameters {
 
 /// A number as it is printed somewhere. It stands for every number that rounds to
 /// it: 1.6236048e-006 for all within half a unit of its last digit.
@@ -35,4 +38,9 @@ class PrintedNumber {
   int n_digits_ = 0;
 };
 
-}  // namespace config
+/// Read a number, or several, which the case file has in quotes so that they keep their digits.
+/// Throw config::Error with the place of the key for a text that is no decimal number.
+PrintedNumber printed_number(const config::Table& table, const std::string& key);
+std::vector<PrintedNumber> printed_numbers(const config::Table& table, const std::string& key);
+
+}  // namespace parameters

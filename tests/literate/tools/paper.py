@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ENGINE = Path(os.environ.get("LITERATE_ENGINE", Path(__file__).resolve().parents[3] / "src" / "engine_new"))
+ENGINE = Path(os.environ.get("LITERATE_ENGINE", Path(__file__).resolve().parents[3] / "src" / "literate"))
 RESULTS = os.environ["LITERATE_RESULTS"]
 LITERATE = [sys.executable, "-S", str(ENGINE / "tools" / "literate")]
 sys.path.insert(0, str(ENGINE / "tools"))

@@ -60,6 +60,7 @@ class Sty(PaperTest):
             self.assertRegex(words, rf"{word} +\[C1 holds\]")
         self.assertRegex(words, r"(?m)^ ?begins\.")
 
+    @unittest.skipIf(subprocess.run(["kpsewhich", "IEEEtran.cls"], capture_output=True).returncode, "texlive-publishers is not installed")
     def test_in_two_narrow_columns_the_verdict_is_in_the_text(self):
         words = self.typeset("A sentence \\claim{short}. \\claimledger", "", "IEEEtran")
         self.assertRegex(words, r"A sentence +\[C1 holds\]\.")
