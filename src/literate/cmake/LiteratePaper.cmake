@@ -47,6 +47,8 @@ function(literate_add_paper)
   set(settings "${output}.json")
   set(literate "${literate_PYTHON}" -S "${literate_ENGINE}/tools/literate")
 
+  _literate_relative_places()
+
   # What computes: a program, or a script whose file literate-results reads.
   if(TARGET "${paper_PROGRAM}")
     set(paper_PROGRAM "$<TARGET_FILE:${paper_PROGRAM}>")
@@ -128,6 +130,21 @@ function(literate_add_paper)
   add_custom_target(${name}-results DEPENDS ${results})
   add_custom_target(${name}-figures DEPENDS ${results} ${drawings})
   add_custom_target(${name} ALL DEPENDS "${output}/verdict.stamp")
+endfunction()
+
+# Who links the engine registers places in the code by paths that are relative to the project.
+function(_literate_relative_places)
+  if(TARGET literate::literate)
+    get_target_property(library literate::literate ALIASED_TARGET)
+    if(NOT library)
+      set(library literate::literate)
+    endif()
+    set(option "$<BUILD_INTERFACE:-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=>")
+    get_target_property(options ${library} INTERFACE_COMPILE_OPTIONS)
+    if(NOT option IN_LIST options)
+      set_property(TARGET ${library} APPEND PROPERTY INTERFACE_COMPILE_OPTIONS "${option}")
+    endif()
+  endif()
 endfunction()
 
 # Makes the paths of a list absolute.

@@ -155,6 +155,14 @@ class Paths(PaperTest):
                 self.assertEqual(rules_in(self.make(paper=paper)), ["typeset small"])
                 self.assertEqual(rules_in(self.make(paper=paper)), [])
 
+    def test_the_folder_of_the_output_may_be_elsewhere(self):
+        self.paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja", f"-Dsmall_OUTPUT={self.paper.folder}/out/paper")
+        self.paper.run("ninja", "-C", "build")
+        self.assertTrue((self.paper.folder / "out/paper/small.pdf").exists())
+        self.assertEqual(rules_in(self.make()), [])
+        self.paper.replace("paper/sections/more.tex", "More", "Much")
+        self.assertEqual(rules_in(self.make()), ["typeset small"])
+
     def test_the_folder_of_the_sources_may_be_read_only(self):
         for path in [self.paper.folder, *self.paper.folder.rglob("*")]:
             path.chmod(0o555 if path.is_dir() else 0o444)

@@ -30,6 +30,10 @@ class NewInCpp(unittest.TestCase):
                     self.assertEqual(self.run_in(paper, "make"), "build/cup/cup.pdf\n")
                     self.assertIn("passed", self.run_in(paper, "make", "test"))
                     self.run_in(paper, "make", "check")
+                    self.run_in(paper, "git", "init", "-q")
+                    self.run_in(paper, "git", "add", "-A")
+                    self.run_in(paper, "git", "-c", "user.name=a", "-c", "user.email=b", "commit", "-qm", "new")
+                    self.assertIn("cup: the same bytes", self.run_in(paper, "make", "verify"))
                     self.assertIn("3 faults turn 2 of 2 claims", self.run_in(paper, "make", "severity"))
                     shutil.rmtree(paper)
 

@@ -18,7 +18,7 @@ from dataclasses import astuple, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from literate_tools.common import Failure, git, parser, quiet_run, write_bytes
+from literate_tools.common import Failure, configure, git, parser, quiet_run, write_bytes
 from literate_tools.settings import Settings, read_results, read_settings
 from literate_tools.uses import NAMED, read_uses
 
@@ -70,8 +70,7 @@ def results_of_commit(settings: Settings, since: str) -> Path:
         quiet_run(["git", "clone", "--quiet", "--shared", "--no-checkout", str(root), str(clone)], "git clone")
         quiet_run(["git", "checkout", "--quiet", commit], "git checkout", cwd=clone)
         source = clone / settings.source.relative_to(root)
-        configure = ["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", *settings.configure, f"-D{settings.name}_OUTPUT={output}"]
-        quiet_run(configure, f"configuring {since}")
+        configure(settings, source, build, output)
         quiet_run(["ninja", "-C", str(build), f"{settings.name}-results"], f"computing {since}")
         kept.parent.mkdir(parents=True, exist_ok=True)
         shutil.rmtree(kept, ignore_errors=True)

@@ -60,8 +60,8 @@ def report(settings: Settings, all_errors: list[Error]) -> list[str]:
     kept = [error for error in all_errors
             if error.message.startswith("unknown ") or (error.file, error.line) not in unknown]
     results = read_results(settings.generated / "results.json")
-    lines = dict.fromkeys(f"{place(settings, results, error)}{error.message}{suggestion(results, error.message)}" for error in kept)
-    lines = list(lines)
+    lines = [f"{place(settings, results, error)}{error.message}{suggestion(results, error.message)}" for error in kept]
+    lines = list(dict.fromkeys(lines))
     commands = {f"undefined command \\{name}" for name in COMMANDS}
     if not uses_package(settings) and any(error.message in commands for error in all_errors):
         lines = [f"{first_command(settings)}: \\usepackage{{literate}} is missing"]

@@ -32,7 +32,7 @@ def output_files(settings: Settings) -> list[str]:
 
 
 def source_files(settings: Settings) -> list[Path]:
-    """Returns the case, the sources of the program, the scripts of the figures, and the prose, as far as they are the project's."""
+    """Returns case, sources of the program, scripts of figures and prose, as far as they are the project's."""
     from literate_tools.typeset import recorded
     styles = {script.with_name("style.gp") for script in settings.scripts}
     files = {settings.case, *recorded(settings), *settings.scripts, *filter(Path.exists, styles)}

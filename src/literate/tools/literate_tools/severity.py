@@ -22,7 +22,7 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from literate_tools.common import Failure, git, parser, quiet_run, write_bytes, write_if_changed
+from literate_tools.common import Failure, configure, git, parser, quiet_run, write_bytes, write_if_changed
 from literate_tools.settings import Settings, read_results, read_settings
 
 
@@ -113,8 +113,7 @@ def planted(copy: Path, fault: Fault) -> str:
 def against_claims(settings: Settings, copy: Path, faults: list[Fault]) -> dict[str, str]:
     """Returns for each fault which claims it turns, or what else happens."""
     build, output = copy.parent / "build", copy.parent / "output"
-    quiet_run(["cmake", "-S", str(copy), "-B", str(build), "-G", "Ninja", *settings.configure, f"-D{settings.name}_OUTPUT={output}"],
-              "configuring the copy")
+    configure(settings, copy, build, output)
     results = f"{settings.name}-results"
     quiet_run(["ninja", "-C", str(build), results], "computing without a fault")
     right = verdicts(output)
@@ -156,8 +155,8 @@ def with_fault(copy: Path, fault: Fault, action) -> str:
 
 def turned(settings: Settings, build: Path, output: Path, right: dict[str, str]) -> str:
     """Builds the results with a fault and names the claims and checks with another verdict."""
-    ran = subprocess.run(["ninja", "-C", str(build), f"{settings.name}-results"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                         text=True, errors="replace")
+    ran = subprocess.run(["ninja", "-C", str(build), f"{settings.name}-results"], stdout=subprocess.PIPE,
+                         stderr=subprocess.STDOUT, text=True, errors="replace")
     if ran.returncode:
         # The rule that computes is the only one that calls `literate compute`: any other that failed is a compiler's.
         failed = ran.stdout[ran.stdout.find("FAILED:"):].splitlines()
@@ -187,7 +186,8 @@ def record(settings: Settings, faults: list[Fault], found: dict[str, str]) -> No
     if write_if_changed(settings.document / "severity.tex", "".join(lines)):
         (settings.output / "typeset.stamp").unlink(missing_ok=True)  # Ninja does not know a file that was not there
     idle = [claim for claim, ids in turning.items() if not ids]
-    print(f"{len(faults)} faults turn {len(claims) - len(idle)} of {len(claims)} claims" + (f"; not turned: {', '.join(idle)}" if idle else ""))
+    print(f"{len(faults)} faults turn {len(claims) - len(idle)} of {len(claims)} claims"
+          + (f"; not turned: {', '.join(idle)}" if idle else ""))
 
 
 def against_tests(copy: Path, faults: list[Fault], build: str, tests: str) -> int:
@@ -195,7 +195,7 @@ def against_tests(copy: Path, faults: list[Fault], build: str, tests: str) -> in
     def outcome(fault: Fault | None) -> str:
         environment = os.environ | {"TEST": fault.test if fault else ""}
         for command, failure in ((build, "does not compile"), (tests, "noticed")):
-            if subprocess.run(command, shell=True, cwd=copy, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode:
+            if subprocess.run(command, shell=True, cwd=copy, env=environment, capture_output=True).returncode:
                 return failure
         return "not noticed"
     if (without := outcome(None)) != "not noticed":

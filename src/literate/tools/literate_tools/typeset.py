@@ -27,8 +27,7 @@ def run(arguments: list[str]) -> int:
     settings, stamp, depfile = read_settings(arguments[0]), Path(arguments[1]), Path(arguments[2])
     start = file_time(settings.output)
     typeset(settings)
-    dependencies = [path for path in recorded(settings) if not path.is_relative_to(settings.output)]
-    depfile.write_text(f"{escaped(settings, stamp)}: {' '.join(escaped(settings, path) for path in dependencies)}\n")
+    write_depfile(settings, stamp, depfile)
     stamp.touch()
     date_back([stamp], start)
     return 0
@@ -166,7 +165,11 @@ def recorded(settings: Settings) -> list[Path]:
     return [path for path in paths if not path.is_relative_to(settings.latex)]
 
 
-def escaped(settings: Settings, path: Path) -> str:
-    """Returns a path as a depfile holds it: relative to CMake's folder, since Ninja cannot read each sign in one."""
-    relative = os.path.relpath(path, settings.build) if path.is_relative_to(settings.source) else str(path)
-    return relative.replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
+def write_depfile(settings: Settings, stamp: Path, depfile: Path) -> None:
+    """Writes the files that LaTeX read, for Ninja: relative to CMake's folder, since Ninja cannot read each sign of a path. It
+    knows the stamp by a relative name as well, but only within that folder."""
+    def escaped(path: Path, base: Path) -> str:
+        name = os.path.relpath(path, settings.build) if path.is_relative_to(base) else str(path)
+        return name.replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
+    read = [escaped(path, settings.source) for path in recorded(settings) if not path.is_relative_to(settings.output)]
+    depfile.write_text(f"{escaped(stamp, settings.build)}: {' '.join(read)}\n")

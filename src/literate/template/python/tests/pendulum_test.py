@@ -1,4 +1,7 @@
-"""T/T₀ at 90° is 2K(1/√2)/π, and K(1/√2) = Γ(1/4)²/(4√π): E. T. Whittaker and G. N. Watson, A Course of Modern Analysis, 1927, § 22.302."""
+"""T/T₀ at 90° is 2K(1/√2)/π, and K(1/√2) = Γ(1/4)²/(4√π).
+
+E. T. Whittaker and G. N. Watson, A Course of Modern Analysis, 1927, § 22.302.
+"""
 
 import math
 import sys
