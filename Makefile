@@ -15,14 +15,14 @@
 #   ONLY=id          mutants, severity: this one alone
 #   EDITS=1          bench: what an author's edits cost, here and with knitr
 #   DEPTH=bare       verify: the README's two commands on Debians that have nothing yet (as root; takes long), SUITES='bookworm trixie container'
-#   DO=task          course: which; its variables are told by 'make course'
+#   DO=prove         course: or grade, with SUBMISSIONS=folder and CLASS=file, or gradescope
 #   TIMEOUT=seconds  how long the computation, gnuplot or LaTeX may take before they are stopped; TIMEOUT= for any time
 #   V=1              show the commands
 
 #@ To read
 report: ## the report, build/report/report.pdf; with CASES one for each case, and build/reports/cases.csv
 html: ## the report as one page, build/report/report.html (first: make setup html)
-site: ## page, PDF, data and assignment sheet for any static host, build/report/site
+site: ## page, PDF and data for any static host, build/report/site
 dist: ## the document as arXiv and journals take it, build/dist/report.tar.gz
 halfspace: ## the command line of the mechanics, build/release/halfspace
 
@@ -43,7 +43,7 @@ verify: ## makes the report again elsewhere and asks for the same bytes; with DE
 bench: ## benchmarks, build/bench/bench.json
 
 #@ To teach
-course: ## the course: handouts, grading, results; without DO it lists the tasks
+course: ## the course assignment: prove the handout, grade submissions; without DO it shows how
 
 #@ To keep house
 tidy: ## clang-format and clang-tidy on every source

@@ -21,7 +21,7 @@ ROOT = HERE.parent.parent
 LIMIT = 300
 ANNOUNCED = ["build/report/report.pdf", "build/report/manifest.json"]
 # Built, but not for the report.
-UNNEEDED = {"tests", "Testing", "halfspace", "halfspace-course", "compile_commands.json"}
+UNNEEDED = {"tests", "Testing", "halfspace", "halfspace-judge", "compile_commands.json"}
 
 
 def run(*command, **options):

@@ -156,22 +156,22 @@ BOOST_AUTO_TEST_CASE(no_library_links_itself_by_way_of_others) {
 
 BOOST_AUTO_TEST_CASE(mechanics_links_neither_engine_nor_paper_and_the_engine_no_mechanics) {
   const Graph all = links();
-  const std::vector<std::string> upper = {"literate",   "paper",  "course",
+  const std::vector<std::string> upper = {"literate",   "paper",  "judge",
                                           "assignment", "system", "config"};
   for (const std::string& name : mechanics)
     BOOST_TEST(!links_any(reach_of(name, all), upper), name);
   const std::vector<std::string> lower(mechanics.begin(), mechanics.end());
   BOOST_TEST(!links_any(reach_of("literate", all), lower));
-  BOOST_TEST(!links_any(reach_of("course", all), lower));
-  BOOST_TEST(!reach_of("course", all).contains("parameters"));
+  BOOST_TEST(reach_of("judge", all).empty());
 }
 
-BOOST_AUTO_TEST_CASE(nothing_but_the_course_itself_links_the_course) {
-  const std::set<std::string> of_course = {"course", "assignment", "course_app"};
+BOOST_AUTO_TEST_CASE(the_assignment_links_mechanics_and_its_judge_alone) {
   const Graph all = links();
+  BOOST_TEST(!links_any(reach_of("assignment", all),
+                        {"literate", "paper", "config", "system", "command_line"}));
   for (const Library& library : libraries()) {
-    if (of_course.contains(library.name)) continue;
-    BOOST_TEST(!links_any(reach_of(library.name, all), {"course", "assignment"}), library.name);
+    if (library.name == "assignment") continue;
+    BOOST_TEST(!links_any(reach_of(library.name, all), {"judge", "assignment"}), library.name);
   }
 }
 

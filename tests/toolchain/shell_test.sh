@@ -32,12 +32,4 @@ need() {
   done
 }
 
-# need_walls: skips the test, with one line that says why, where bubblewrap cannot work. Continuous integration must have it.
-need_walls() {
-  if [ "${CI:-}" = true ]; then return; fi
-  walls=$(bwrap --unshare-pid --unshare-net --ro-bind / / true 2>&1) && return
-  printf 'skipped: what runs submissions in walls was not tested: %s\n' "${walls%%See <*}"
-  exit 77
-}
-
 finish() { exit "$((n_failed > 0))"; }
