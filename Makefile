@@ -7,12 +7,13 @@
 #   SINCE=commit           changes: or a results.json or manifest.json
 #   ONLY=id                severity: one fault only
 #   MANIFEST=file          verify: compare numbers with a report made elsewhere
-#   DO=prove               course: or grade, with SUBMISSIONS=folder [CLASS=file];
-#                          or gradescope, with SALT_FILE=file
+#   DO=prove               course: or gradescope; or grade, with SUBMISSIONS=folder
+#                          and CLASS=file, the table that Moodle or Canvas exported
+#   PREFIX=folder          install: instead of /usr/local
 .DEFAULT_GOAL := report
 .NOTPARALLEL:
 targets := $(shell sed -n 's/^\([a-z-]*\):.* \#\# .*/\1/p' $(lastword $(MAKEFILE_LIST)))
-variables := CASE CASES J SINCE PAPER MANIFEST ONLY DO SUBMISSIONS CLASS SALT_FILE
+variables := CASE CASES J SINCE PAPER MANIFEST ONLY DO SUBMISSIONS CLASS SANDBOX PREFIX
 .PHONY: $(targets)
 export LC_ALL := C.UTF-8
 
@@ -59,8 +60,13 @@ site: ## page, PDF and data for any static host, build/report/site
 	@$(configure); $(ninja) report; $(literate) site build/report.json CITATION.cff
 halfspace: ## the command line of the mechanics, build/release/halfspace
 	@$(configure); $(ninja) halfspace
+install: ## engine, halfspace, completion and man page, below PREFIX
+	@$(configure); $(ninja) --quiet halfspace literate-results && cmake --install build/release --prefix "$${PREFIX:-/usr/local}"
 course: ## the assignment; without DO its help
-	@$(configure); $(ninja) --quiet course && python3 src/course/course.py $$DO
+	@if [ -z "$$DO" ]; then python3 src/course/course.py --help; exit; fi; $(configure); \
+	  case $$DO in gradescope) judge=halfspace-judge-static ;; *) judge=halfspace-judge ;; esac; \
+	  $(ninja) --quiet $$judge && python3 -B src/course/course.py $$DO $${SUBMISSIONS:+"$$SUBMISSIONS"} $${CLASS:+--class "$$CLASS"} \
+	    $${J:+--jobs "$$J"} $${SANDBOX:+--sandbox "$$SANDBOX"}
 test: ## the everyday tests
 	@$(with_tests); $(ninja) --quiet everyday_tests && ctest --preset everyday -j $$(($$(nproc) + 1))
 test-all: ## every test

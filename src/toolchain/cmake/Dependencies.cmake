@@ -57,3 +57,6 @@ endif()
 if(missing_libraries)
   message(FATAL_ERROR "These libraries are missing:${missing_libraries}\n'make setup TARGET' installs what a target of make needs.")
 endif()
+add_library(udunits2::udunits2 UNKNOWN IMPORTED)
+set_target_properties(udunits2::udunits2 PROPERTIES
+  IMPORTED_LOCATION "${UDUNITS2_LIBRARIES}" INTERFACE_INCLUDE_DIRECTORIES "${UDUNITS2_INCLUDE_DIR}")
