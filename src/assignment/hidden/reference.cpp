@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assignment/hidden/reference.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "elasticity/load.hpp"
@@ -66,10 +67,17 @@ ContactOfCylinders contact_of(const Cylinders& c) {
       Radius::of_cylinder("radius2", c.radius2));
   const line_contact::Solution solution = line_contact::solve_by_matrix_inversion(
       {pair.profile(), pair.contact_modulus(), {c.n_nodes, c.spacing}}, c.line_load);
-  // Each coefficient is zero at the datum instead of at one spacing, which adds Σ φ T(datum/c).
-  const double total_phi = 2 * c.line_load / (std::numbers::pi * pair.contact_modulus());
-  return {solution.approach_at_spacing + total_phi * unit_coefficient(c.datum / c.spacing),
-          solution.half_width(), Numbers(solution.pressure.begin(), solution.pressure.end())};
+  // Where the pressure is greatest the gap is closed: the approach is gap and displacement there.
+  Eigen::Index touching = 0;
+  solution.pressure.maxCoeff(&touching);
+  double approach = pair.profile().gap(solution.grid.x(touching));
+  for (Eigen::Index i = 0; i < solution.pressure.size(); ++i) {
+    const auto k = static_cast<double>(std::abs(i - touching));
+    approach += influence_coefficient(pair.contact_modulus(), c.spacing, c.datum, k) *
+                solution.pressure[i];
+  }
+  return {approach, solution.half_width(),
+          Numbers(solution.pressure.begin(), solution.pressure.end())};
 }
 
 }  // namespace assignment
