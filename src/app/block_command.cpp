@@ -110,7 +110,7 @@ ExitCode run(const BlockOptions& options) {
   const block::Analysis analysis(rectangle, material, {load.load}, discretization);
   const block::SupportedBlock supported = analysis.on(block::with_sides(sides));
   const block::RefinedSolution solution = supported.solve(load.load);
-  const auto measures = solution.measures({.surface_points = points});
+  const auto measures = solution.measures(points);
   Result result{.table_in_json = InJson::nothing, .notes = note_of(assumed)};
   result.details = {{"order", discretization.order},
                     {"elements", analysis.fine()->mesh().n_elements()},

@@ -20,9 +20,8 @@ namespace block {
 /// several threads may use it.
 class Model {
  public:
-  /// Computes and condenses the stiffness of every element. Throws InvalidQuantity, before
-  /// allocating, if estimated_megabytes(mesh) exceeds max_megabytes.
-  Model(Mesh mesh, const elasticity::Material& material, double max_megabytes = 2000);
+  /// Computes and condenses the stiffness of every element. Throws FactorizationError as condense.
+  Model(Mesh mesh, const elasticity::Material& material);
 
   const Mesh& mesh() const { return mesh_; }
   const LobattoBasis& basis() const { return basis_; }
@@ -43,9 +42,6 @@ class Model {
   /// would cost are those that the equilibrium of thin elements needs.
   Eigen::VectorXd internal_forces(const Eigen::VectorXd& displacements) const;
 
-  /// Seconds of wall time that the construction took.
-  double seconds() const { return seconds_; }
-
  private:
   Mesh mesh_;
   elasticity::Material material_;
@@ -55,12 +51,6 @@ class Model {
   StackedIntegrals stacked_;
   UnknownSplit split_;
   std::vector<CondensedStiffness> condensed_;
-  double seconds_ = 0;
 };
-
-/// Memory in 10⁶ bytes that a model of this mesh and one factorisation of it need, on the safe
-/// side: the condensed elements, the triplets of assembly and the Cholesky factor as if it were
-/// banded.
-double estimated_megabytes(const Mesh& mesh);
 
 }  // namespace block
