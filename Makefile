@@ -25,6 +25,7 @@ html: ## the report as one page, build/report/report.html (first: make setup htm
 site: ## page, PDF, data and assignment sheet for any static host, build/report/site
 dist: ## the document as arXiv and journals take it, build/dist/report.tar.gz
 halfspace: ## the command line of the mechanics, build/release/halfspace
+install: ## this program, its man page and completions, below PREFIX, /usr/local without it
 
 #@ To look while you write
 watch: ## builds the report after each save, until Ctrl-C
@@ -71,8 +72,11 @@ endif
 # Messages, number formats and sorting are the same for everyone.
 export LC_ALL := C
 
-$(filter-out setup help,$(targets)):
+$(filter-out setup install help,$(targets)):
 	@bash src/toolchain/build $@
+
+install: halfspace
+	@cmake --install build/release --component halfspace --prefix "$(or $(PREFIX),/usr/local)"
 
 setup:
 	@sh src/toolchain/setup $(filter-out setup clean help,$(MAKECMDGOALS))

@@ -60,7 +60,7 @@ void add_measures(Result& result, const std::vector<block::MeasureEstimate>& mea
     const std::string unit = unit_of(name, units);
     require_finite(name, estimate.value);
     names.cells.push_back(name);
-    values.numbers.push_back(estimate.value + 0.0);
+    values.numbers.push_back(estimate.value);
     values.cells.push_back(earned(estimate));
     errors.numbers.push_back(estimate.abs_error);
     errors.cells.push_back(fmt::format("{:.2g}", estimate.abs_error));

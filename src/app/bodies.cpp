@@ -48,7 +48,7 @@ std::pair<Material, Material> PairOfMaterialFlags::read(
 
 std::vector<std::string> note_of(const std::vector<std::string>& assumed) {
   if (assumed.empty()) return {};
-  return {fmt::format("assumed (steel): {}", fmt::join(assumed, ", "))};
+  return {fmt::format("assumed: {}", fmt::join(assumed, ", "))};
 }
 
 std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit) {

@@ -35,6 +35,8 @@ struct RadiusFlags {
   Flag along_x{command, "--radius" + number + "x", "LENGTH", "Bodies",
                "Or two principal radii: that along x"};
   Flag along_y{command, "--radius" + number + "y", "LENGTH", "Bodies", "and that along y"};
+
+  bool has_two() const { return along_x.is_given() || along_y.is_given(); }
 };
 
 struct PointContactOptions {
@@ -62,6 +64,10 @@ struct PointContactOptions {
   Flag field{command, "--field", "FILE", "Input and output",
              "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap"};
   Output output{command, "[contact], for its bodies"};
+
+  bool is_measured() const {
+    return profile.text().starts_with("file:") || profile.text().starts_with("heights:");
+  }
 };
 
 // Two bodies and what is known of their contact.
@@ -75,16 +81,14 @@ struct Bodies {
 Vector2 curvatures_of(const RadiusFlags& flags,
                       const std::optional<line_contact::Radius>& otherwise,
                       const std::string& length) {
-  if (!flags.along_x.is_given() && !flags.along_y.is_given()) {
+  if (!flags.has_two()) {
     auto radius = radius_of(flags.radius, length);
     if (!radius) radius = otherwise;
     if (!radius) throw sys::InputError(flags.radius.name() + " is missing");
     return Vector2::Constant(radius->curvature());
   }
   refuse_given({&flags.radius}, "a body with two principal radii");
-  for (const Flag* flag : {&flags.along_x, &flags.along_y}) {
-    if (!flag->is_given()) throw sys::InputError(flag->name() + " is missing");
-  }
+  require_given({&flags.along_x, &flags.along_y});
   return {radius_of(flags.along_x, length)->curvature(),
           radius_of(flags.along_y, length)->curvature()};
 }
@@ -115,36 +119,34 @@ Bodies curved_bodies(const PointContactOptions& options,
 Bodies bodies_of(const PointContactOptions& options, const std::optional<ContactCase>& from_case,
                  double modulus, double load, const UnitSystem& units) {
   const std::string given = options.profile.text_or("sphere");
-  const bool is_height = given.starts_with("heights:");
-  if (given == "sphere") {
+  if (!options.is_measured()) {
     refuse_given({&options.spacing}, "--profile sphere");
     return curved_bodies(options, from_case, modulus, load, units);
-  }
-  if (!is_height && !given.starts_with("file:")) {
-    options.profile.refuse("must be sphere, file:PATH or heights:PATH");
   }
   for (const RadiusFlags* flags : {&options.radius1, &options.radius2}) {
     refuse_given({&flags->radius, &flags->along_x, &flags->along_y}, "--profile " + given);
   }
   const double spacing = read({{options.spacing, units.length}})[0];
   const Eigen::ArrayXXd numbers = read_grid(given.substr(given.find(':') + 1));
-  const Eigen::ArrayXXd gaps = is_height ? (numbers.maxCoeff() - numbers).eval() : numbers;
+  const Eigen::ArrayXXd gaps =
+      given.starts_with("file:") ? numbers : (numbers.maxCoeff() - numbers).eval();
   return {point_contact::Profile::height_map(gaps, spacing)};
 }
 
 point_contact::Grid grid_of(const PointContactOptions& options, const Bodies& bodies,
                             const UnitSystem& units) {
-  constexpr long usual = 256, most = 8192;
-  const long n = options.nodes.count(point_contact::min_nodes, most).value_or(usual);
+  constexpr long usual = 256;
+  const long n =
+      options.nodes.count(point_contact::min_nodes, point_contact::max_nodes).value_or(usual);
   const auto width = options.domain.positive(units.length);
   if (!bodies.hertz) {
     const Vector2 sides = 2 * bodies.profile.half_sides();
     return width ? point_contact::square_grid(*width, n)
-                 : point_contact::grid_of(sides.x(), sides.y(), n);
+                 : point_contact::rectangular_grid(sides.x(), sides.y(), n);
   }
   const double a = bodies.hertz->semi_axis_x(), b = bodies.hertz->semi_axis_y();
   constexpr double room = 1 / 0.9;
-  if (!width) return point_contact::grid_of(2 * room * a, 2 * room * b, n);
+  if (!width) return point_contact::rectangular_grid(2 * room * a, 2 * room * b, n);
   if (*width < 2 * std::max(a, b)) {
     options.domain.refuse(fmt::format("must be greater than {} {}, the width of Hertz's contact",
                                       rounded(2 * std::max(a, b)), units.length));
@@ -263,7 +265,15 @@ ExitCode run(const PointContactOptions& options) {
                           {"approach", units.length},
                           {"load", units.force},
                           {"contact_area", units.length + "^2"}}};
-  const auto [material1, material2] = options.materials.read(from_case, units.stress, result.notes);
+  if (!options.is_measured() && options.profile.text_or("sphere") != "sphere") {
+    options.profile.refuse("must be sphere, file:PATH or heights:PATH");
+  }
+  if (!from_case && !options.is_measured() && !options.radius1.has_two()) {
+    require_given({&options.radius1.radius, &options.load});
+  }
+  std::vector<std::string> assumed;
+  const auto [material1, material2] = options.materials.read(from_case, units.stress, assumed);
+  result.notes = note_of(assumed);
   const double modulus = elasticity::contact_modulus(material1, material2);
   const double load = read({{options.load, units.force}})[0];
   const Bodies bodies = bodies_of(options, from_case, modulus, load, units);
@@ -273,7 +283,8 @@ ExitCode run(const PointContactOptions& options) {
                                 {{"pyramid", Element::pyramid}, {"uniform", Element::uniform}})};
   const bool is_variational =
       options.method.choice_or(false, {{"fft", false}, {"variational", true}});
-  const double tolerance = options.tolerance.positive("1").value_or(1e-8);
+  const double tolerance =
+      options.tolerance.positive("1").value_or(point_contact::default_tolerance);
 
   const command_line::Stopwatch stopwatch;
   const point_contact::Solution s =
@@ -307,8 +318,8 @@ measured height map.)",
       R"(  A steel ball of radius 10 mm on a steel plane, 100 N:
     halfspace point-contact --radius1 10 --load 100
   A steel ball in an aluminium groove, drawn in a file:
-    halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 --load 50 \
-      --young1 210GPa --poisson1 0.3 --young2 70GPa --poisson2 0.33 --plot p.pdf
+    halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 \
+      --young2 70GPa --poisson2 0.33 --load 50 --plot pressure.pdf
   A measured surface, points 5 um apart, under a flat; pressures in a file:
     halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \
       --field pressure.csv

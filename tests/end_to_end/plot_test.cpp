@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "answers.hpp"
 #include "program.hpp"
 
 BOOST_AUTO_TEST_SUITE(plot_test)

