@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/model.hpp"
 
+#include <map>
 #include <utility>
 
 namespace block {
@@ -13,19 +14,21 @@ Model::Model(Mesh mesh, const elasticity::Material& material)
       integrals_(basis_.integrals()),
       stacked_(integrals_),
       split_(split_unknowns(mesh_.order())) {
+  std::map<double, std::shared_ptr<const CondensedStiffness>> by_aspect;
   condensed_.reserve(static_cast<std::size_t>(mesh_.n_elements()));
-  for (Index e = 0; e < mesh_.n_elements(); ++e) {
-    condensed_.push_back(condense(stiffness(e), split_));
+  for (Index index = 0; index < mesh_.n_elements(); ++index) {
+    const Element e = mesh_.element(index);
+    auto& condensed = by_aspect[e.height() / e.width()];
+    if (!condensed) {
+      condensed = std::make_shared<const CondensedStiffness>(
+          condense(element_stiffness(integrals_, lame_, e.height() / e.width()), split_));
+    }
+    condensed_.push_back(condensed);
   }
 }
 
 const CondensedStiffness& Model::condensed(Index element) const {
-  return condensed_[static_cast<std::size_t>(element)];
-}
-
-Eigen::MatrixXd Model::stiffness(Index element) const {
-  const Element e = mesh_.element(element);
-  return element_stiffness(integrals_, lame_, e.width(), e.height());
+  return *condensed_[static_cast<std::size_t>(element)];
 }
 
 std::vector<Index> Model::unknowns(Index element) const {
@@ -53,7 +56,7 @@ Eigen::VectorXd Model::internal_forces(const Eigen::VectorXd& displacements) con
       const Eigen::VectorXd component = gathered(Eigen::seqN(c, n * n, 2));
       local.middleCols(c * n, n).reshaped() = component.array() - component.mean();
     }
-    const Eigen::MatrixXd f = element_forces(stacked_, lame_, e.width(), e.height(), local);
+    const Eigen::MatrixXd f = element_forces(stacked_, lame_, e.height() / e.width(), local);
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const auto node = static_cast<Index>(k) / 2;
       forces[numbers[k]] += f(node % n, static_cast<Index>(k) % 2 * n + node / n);

@@ -30,9 +30,6 @@ class Model {
   const UnknownSplit& split() const { return split_; }
   const CondensedStiffness& condensed(Index element) const;
 
-  /// The full stiffness of one element, see element_stiffness; recomputed at each call.
-  Eigen::MatrixXd stiffness(Index element) const;
-
   /// The global numbers 2·node + c of an element's unknowns, in the order of its stiffness.
   std::vector<Index> unknowns(Index element) const;
 
@@ -50,7 +47,7 @@ class Model {
   LobattoBasis::Integrals integrals_;
   StackedIntegrals stacked_;
   UnknownSplit split_;
-  std::vector<CondensedStiffness> condensed_;
+  std::vector<std::shared_ptr<const CondensedStiffness>> condensed_;  // one for all of one aspect
 };
 
 }  // namespace block
