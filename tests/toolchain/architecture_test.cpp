@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(no_two_files_of_a_folder_need_one_another) {
       if (!other.empty() && other != name) needs[name].insert(other);
     }
   }
-  BOOST_TEST(needs["literate/tables/table"].contains("literate/tables/column_writer"));
+  BOOST_TEST(needs["literate/tables/table"].contains("literate/tables/printed_column"));
 
   BOOST_TEST(in_circles(needs) == std::vector<std::string>{}, boost::test_tools::per_element());
 }
