@@ -20,7 +20,7 @@ using judge::Numbers;
 elasticity::SurfaceQuadrature surface_under_load(const Surface& s) {
   const auto p = [=](double at) { return pressure(s.shape, s.peak_pressure, s.half_width, at); };
   const elasticity::Load load =
-      elasticity::distributed_load(p, {}, {-s.half_width, 0, s.half_width});
+      elasticity::distributed_load(p, {-s.half_width, 0, s.half_width});
   return {elasticity::Material(s.young, s.poisson), load, s.datum};
 }
 
