@@ -16,8 +16,7 @@ namespace block {
 ///
 /// It holds what no support and no load changes, computed once and shared by all of them. The whole
 /// block is modelled and never half of it, so that all loads are treated alike and a test can ask
-/// whether a result is symmetric. The object never changes and is shared by pointer, so that
-/// several threads may use it.
+/// whether a result is symmetric. The object never changes and is shared by pointer.
 class Model {
  public:
   /// Computes and condenses the stiffness of every element. Throws FactorizationError as condense.

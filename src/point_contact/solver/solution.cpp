@@ -67,7 +67,7 @@ void require_free_ends(const Solution& solution) {
   }
   if (is_free) return;
   const bool is_measured = std::isfinite(solution.profile.half_sides().maxCoeff());
-  throw sys::InvalidQuantity("domain width", static_cast<double>(grid.n1) * grid.spacing,
+  throw sys::InvalidQuantity("domain", static_cast<double>(grid.n1) * grid.spacing,
                              is_measured ? "wider: the contact reaches the end of the grid, which "
                                            "must lie within the measured surface"
                                          : "wider: the contact reaches the end of the grid");
