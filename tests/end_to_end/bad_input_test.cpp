@@ -232,11 +232,18 @@ BOOST_AUTO_TEST_CASE(files_are_refused_with_the_place_of_what_is_wrong_in_them) 
   const char* load = "displacement --shape file:it.csv";
   check_file("x,pressure\n0,0\n1,much\n2,0\n", load, "it.csv:3:3: \"much\" is not a number");
   check_file("x,pressure\n0,0\n", load, "it.csv: 1 points, but at least 2 are needed");
+  const char* list = "displacement --peak-pressure 1 --half-width 1 --x-file it.csv";
+  check_file("# in\n0\n0;5\n", list, "it.csv:3:1: \"0;5\" is not a number");
+  check_file("\n", list, "it.csv: has no number");
   const char* map = "point-contact --load 1 --spacing 1 --profile heights:it.csv";
   check_file("1,2,3,4\n1,,3,4\n1,2,3,4\n1,2,3,4\n", map, "it.csv:2:3: a number is missing");
   check_file("1,2,3,4\n1,2,3\n1,2,3,4\n1,2,3,4\n", map, "it.csv:2: 3 numbers, but line 1 has 4");
   check_file("1,2,3\n", map, "it.csv: 1 lines of 3 numbers, but at least 4 of 4 are needed");
   check(folder.path(), {
+                           {"displacement --peak-pressure 1 --half-width 1 --x-file none.txt",
+                            "cannot read 'none.txt': No such file or directory"},
+                           {"displacement --peak-pressure 1 --half-width 1 --x 0 --x-file none.txt",
+                            "--x-file has no meaning for points that --x gives"},
                            {"contact --load 1 --profile file:none.csv",
                             "cannot read 'none.csv': No such file or directory"},
                            {"contact --load 1 --profile file:.", ".: is a folder"},
