@@ -136,7 +136,10 @@ class Builder:
                 inputs[f"{other.id}.o"] = own[other.id].read_bytes()
             objects.append(f"{other.id}.o" if other.id in own else f"{self.sandbox.kit}/stub-{other.id}.o")
         given = [f"{self.sandbox.kit}/{name}" for name in self.kit.given]
-        return self.made(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
+        folder = self.made(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
+        if exercise.id in built.errors:
+            built.errors[exercise.id] = f"{exercise.file} does not link:\n{built.errors[exercise.id]}"
+        return folder
 
     def made(self, inputs, words, seconds, exercise, built):
         """The folder in which a job was done on the inputs, now or before. If it failed, the exercise has an error."""

@@ -90,7 +90,7 @@ def prove(options):
 
     files = {**course.handout, "sheet.pdf": pdf}
     replace_folder(output, files)
-    packed = output.with_suffix(".zip")
+    packed = beside(output, ".zip")
     write_zip({f"{output.name}/{name}": content for name, content in files.items()}, packed)
     (course.work / "proved.json").write_text(json.dumps({"salt": hash_of(course.salt_file.read_bytes())}), encoding="utf-8")
     print(f"{os.path.relpath(output)}\n{os.path.relpath(packed)}")
@@ -132,7 +132,7 @@ def grade(options):
         replace_folder(output / id, {"feedback.txt": f"This submission was not graded: {problem}\n"})
 
     marks = write_table(course.assignment, output)
-    written = [output, output.with_suffix(".csv")]
+    written = [output, beside(output, ".csv")]
     if class_file:
         written.append(filled)
         new_marks = {id: marks[id] for id in taken if id not in problems}
@@ -174,6 +174,10 @@ def grade_all(course, options, taken):
             yield waiting[future], future.exception() or future.result()
 
 
+def beside(folder, ending):
+    return folder.with_name(folder.name + ending)
+
+
 def replace_folder(folder, files):
     """Writes the files to a folder, in place of what it held."""
     new = folder.with_name(f".{folder.name}.new")
@@ -186,7 +190,7 @@ def replace_folder(folder, files):
 def write_table(assignment, output):
     """Writes the points of all who have a folder to a table beside the folders, and returns them, {id: points or None}."""
     marks = {}
-    new = output.with_suffix(".csv.new")
+    new = beside(output, ".csv.new")
     with open(new, "w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(["id", "points", *(check.id for check in assignment.checks)])
@@ -197,7 +201,7 @@ def write_table(assignment, output):
             marks[folder.name] = found["score"]
             points = "" if found["score"] is None else f"{found['score']:g}"
             table.writerow([folder.name, points, *(scores.get(check.id, "") for check in assignment.checks)])
-    new.replace(output.with_suffix(".csv"))
+    new.replace(beside(output, ".csv"))
     return marks
 
 

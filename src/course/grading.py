@@ -79,7 +79,7 @@ class Grader:
         for exercise in self.assignment.exercise:
             if exercise.id in built.errors:
                 graded.errors[exercise.file] = built.errors[exercise.id]
-                outcomes = {check.id: (0, f"{exercise.file} was not handed in, or does not compile") for check in exercise.check}
+                outcomes = {check.id: (0, f"{exercise.file} is missing, or does not compile or link") for check in exercise.check}
             else:
                 outcomes = {}
                 for visibility in ("public", "hidden"):
@@ -153,5 +153,5 @@ def feedback_text(assignment, graded):
 
 def teacher_text(graded):
     """What the hidden checks found, for the teacher alone."""
-    return "".join(f"{result.check.id}: {result.points:g} of {result.check.points:g}: {result.message}\n"
+    return "".join(f"{result.points:g} of {result.check.points:g}  {result.check.id}  {result.message}".rstrip() + "\n"
                    for result in graded.results if not result.check.is_public)

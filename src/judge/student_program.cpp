@@ -21,9 +21,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double patience_seconds = 10;        // for a question that takes milliseconds
-constexpr double little_patience_seconds = 3;  // once the allowance is used up
+constexpr double little_patience_seconds = 2;  // once the allowance is used up
 constexpr std::size_t max_answer_bytes = 1 << 20;
 const char* const unasked = "the program answers what it was not asked";
+const char* const too_slow = "the program did not answer in time";
+const char* const out_of_time = "the program used up its processor time";
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -78,8 +80,13 @@ StudentProgram::~StudentProgram() {
 Numbers StudentProgram::answer(const std::string& task, const Numbers& inputs) {
   const std::string question = question_of(task, inputs);
   auto known = known_.find(question);
-  if (known == known_.end()) known = known_.emplace(question, ask(question)).first;
-  if (!known->second.failure.empty()) throw NoAnswer(known->second.failure);
+  if (known == known_.end()) {
+    if (slow_tasks_.count(task) == 1 && !has_allowance()) throw NoAnswer(too_slow);
+    known = known_.emplace(question, ask(question)).first;
+  }
+  const std::string& failure = known->second.failure;
+  if (failure == too_slow || failure == out_of_time) slow_tasks_.insert(task);
+  if (!failure.empty()) throw NoAnswer(failure);
   return known->second.numbers;
 }
 
@@ -101,20 +108,19 @@ StudentProgram::Answer StudentProgram::ask(const std::string& question) {
   } catch (const NoAnswer& e) {
     stop();
     lost_seconds_ += seconds_since(begin);
-    if (lost_seconds_ > allowance_) n_starts_left_ = 0;
     return {{}, e.what()};
   }
 }
 
 // One line of the program's answers, without its end. Throws NoAnswer if there is none, or more.
 std::string StudentProgram::read_line() {
-  const double patience = allowance_ > 0 ? patience_seconds : little_patience_seconds;
+  const double patience = has_allowance() ? patience_seconds : little_patience_seconds;
   const Clock::time_point begin = Clock::now();
   std::string text;
   while (text.find('\n') == text.npos) {
     const double left = patience - seconds_since(begin);
     if (left <= 0 || !has_something_to_read(channel_, left)) {
-      throw NoAnswer("the program did not answer in time");
+      throw NoAnswer(too_slow);
     }
     char chunk[65536];
     const auto n = ::recv(channel_, chunk, sizeof chunk, 0);
@@ -136,7 +142,7 @@ std::string StudentProgram::how_it_ended() const {
   }
   // A shell or a sandbox passes on a signal as 128 more than its number.
   const int signal = end.si_code == CLD_EXITED ? end.si_status - 128 : end.si_status;
-  if (signal == SIGXCPU) return "the program used up its processor time";
+  if (signal == SIGXCPU) return out_of_time;
   const char* name = signal > 0 ? ::sigabbrev_np(signal) : nullptr;
   if (name == nullptr) return "the program ended before it answered";
   return std::string("the program crashed (SIG") + name + ")";

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace judge {
 /// processor time; the clock here is a far backstop, so that a busy machine costs nobody an answer.
 class StudentProgram {
  public:
-  /// `allowance` is how many seconds may be lost in questions without an answer: beyond that the
-  /// program is not started again, and at zero it has less time for a question.
+  /// `allowance` is how many seconds may be lost in questions without an answer: beyond that a
+  /// question has less time, and a task that took too long is not asked for again.
   StudentProgram(std::vector<std::string> command, double allowance);
   StudentProgram(const StudentProgram&) = delete;
   StudentProgram& operator=(const StudentProgram&) = delete;
@@ -38,6 +39,7 @@ class StudentProgram {
     std::string failure;  ///< empty if there is an answer
   };
   Answer ask(const std::string& question);
+  bool has_allowance() const { return lost_seconds_ < allowance_; }
   std::string read_line();
   std::string how_it_ended() const;
   void start();
@@ -50,7 +52,8 @@ class StudentProgram {
   int n_starts_left_ = 3;
   pid_t process_ = -1;
   int channel_ = -1;
-  std::map<std::string, Answer> known_;
+  std::map<std::string, Answer> known_;  ///< by question
+  std::set<std::string> slow_tasks_;
 };
 
 /// The numbers of a line of decimal numbers with blanks between them; "nan" and "inf" are numbers.

@@ -36,7 +36,7 @@ void require_failed(const Program& program, const std::set<std::string>& expecte
 std::vector<Program> wrong_programs() {
   std::vector<Program> list;
   for (const double factor : {-1., 2., 1 + 1e-5}) {
-    list.push_back([=](const std::string& task, const Numbers& in) {
+    list.emplace_back([=](const std::string& task, const Numbers& in) {
       Numbers out = programs::right(task, in);
       for (double& number : out) number *= factor;
       return out;

@@ -21,7 +21,7 @@ using judge::Numbers;
 using judge::Program;
 
 inline Numbers from(const Numbers& in, std::size_t first) {
-  return Numbers(in.begin() + static_cast<std::ptrdiff_t>(first), in.end());
+  return {in.begin() + static_cast<std::ptrdiff_t>(first), in.end()};
 }
 
 /// The right program, by the reference.

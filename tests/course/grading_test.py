@@ -38,7 +38,7 @@ class Told(unittest.TestCase):
         self.assertIn("  3 of 6  the square of four numbers (square-right)\n", feedback)
         self.assertIn("      not even\n", feedback)
         self.assertNotIn("not right", feedback + json.dumps(results))
-        self.assertEqual(teacher_text(self.graded), "square-right: 3 of 6: not right\n")
+        self.assertEqual(teacher_text(self.graded), "3 of 6  square-right  not right\n")
 
     def test_what_a_compiler_says_controls_no_terminal(self):
         self.assertIn("  a ?[31m? message\n", feedback_text(TOY_ASSIGNMENT, self.graded))

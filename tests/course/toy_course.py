@@ -89,5 +89,5 @@ class Work:
 
     def table(self):
         """{id: {column: text}} of grades.csv."""
-        with open(self.output.with_suffix(".csv"), encoding="utf-8", newline="") as file:
+        with open(self.output.with_name("grades.csv"), encoding="utf-8", newline="") as file:
             return {row["id"]: row for row in csv.DictReader(file)}
