@@ -50,7 +50,7 @@ void compute_block(Document& document, const Case& from) {
   const Estimate level = study.level(study.under_triangle(), 0);
   const double end = h.farthest_point();
   document.value("block.level-varies-by",
-                 Value(abs(study.level(study.under_triangle(), end) - level), scientific(2), unit));
+                 Value(abs(study.level(study.under_triangle(), end) - level), scientific(1), unit));
   document.value("block.equivalent-datum", Value(equivalent_datum(h, level), significant(2), unit));
   document.value("block.sides", Value::text(name_of(b.sides)));
   document.value("block.level", Value(level, scientific(4), unit));

@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_none_and_units_of_something_else) {
       {"point-contact --radius1 10 --load 1 --nodes 20000",
        "--nodes = 20000: must be from 8 to 8192"},
       {"block --order 11 --peak-pressure 1 --half-width 1 --width 9 --height 9",
-       "--order = 11: must be from 2 to 10"},
+       "--order = 11: must be from 4 to 10"},
   });
 }
 

@@ -30,7 +30,7 @@ const std::vector<Drawing> drawings = {
     {"stress --radius1 10 --load 100",
      {"stress (MPa)", "depth z (mm)", "largest shear", "von Mises"}},
     {"stress --radius1 10 --load 100 --x -0.1:0.1:0.01 --z 0.05", {"x (mm)"}},
-    {"block --order 2 --refine 0 --width 2 --height 1 --peak-pressure 9 --half-width 0.1 --units "
+    {"block --order 4 --refine 1 --width 2 --height 1 --peak-pressure 9 --half-width 0.1 --units "
      "in-lbf",
      {"u_z (in)", "x (in)"}}};
 

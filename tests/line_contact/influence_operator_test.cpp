@@ -17,12 +17,12 @@ BOOST_AUTO_TEST_SUITE(influence_operator_test)
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using line_contact::differences_over_grid;
 using line_contact::Element;
 using line_contact::influence_coefficient;
 using line_contact::influence_difference;
 using line_contact::InfluenceOperator;
 using line_contact::name_of;
-using line_contact::differences_over_grid;
 
 namespace {
 

@@ -50,8 +50,9 @@ BOOST_AUTO_TEST_CASE(problems_that_cannot_be_solved_are_refused_by_both_methods)
   huge.grid.spacing = 1e60;
   narrow.grid.spacing *= 0.6;
   measured.grid.spacing *= 0.1;
-  for (const auto& solve : {+[](const Problem& p, double P) { solve_for_load(p, P); },
-                            +[](const Problem& p, double P) { solve_by_variational_method(p, P); }}) {
+  for (const auto& solve :
+       {+[](const Problem&p, double P) { solve_for_load(p, P); },
+        +[](const Problem&p, double P) { solve_by_variational_method(p, P); }}) {
     check_refused({
         {"load = 0", [&] { solve(spheres, 0); }},
         {"load = 1e+120: must be less", [&] { solve(spheres, 1e120); }},
