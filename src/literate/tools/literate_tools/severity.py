@@ -9,7 +9,8 @@ file exactly once. A run that was stopped goes on where it was.
 examples:
   literate severity build/mypaper.json
   literate severity build/mypaper.json --only quarter-angle
-  literate severity build/mypaper.json --build 'cmake -S . -B b && cmake --build b' --tests 'ctest --test-dir b -R "$TEST"'
+  literate severity build/mypaper.json --faults others.txt --build 'cmake -S . -B b && cmake --build b' \\
+    --tests 'ctest --test-dir b -R "$TEST"'
 """
 
 import csv
@@ -43,18 +44,19 @@ def run(arguments: list[str]) -> int:
     """Plants the faults and records what notices them. Ends with 1 if a fault is unfit, or unnoticed by the tests."""
     arguments_of = parser("severity", __doc__)
     arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
+    arguments_of.add_argument("--faults", type=Path, metavar="FILE", help="the list (the paper's FAULTS)")
     arguments_of.add_argument("--only", metavar="ID", help="plant this fault alone, and record nothing")
     arguments_of.add_argument("--timeout", type=float, default=1800, metavar="SECONDS", help="for one fault (1800)")
     arguments_of.add_argument("--build", default="true", metavar="COMMAND", help="builds the tests, in the copy")
     arguments_of.add_argument("--tests", metavar="COMMAND", help="runs them; $TEST is the last field of the fault's line")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
-    if not settings.faults:
-        raise Failure("literate_add_paper names no FAULTS")
-    faults = read_faults(settings.faults)
-    chosen = [fault for fault in faults if given.only in (None, fault.id)]
+    file = given.faults or settings.faults
+    if not file:
+        raise Failure("literate_add_paper has no FAULTS: give --faults")
+    chosen = [fault for fault in read_faults(file) if given.only in (None, fault.id)]
     if not chosen:
-        raise Failure(f"{settings.shown(settings.faults)}: there is no fault '{given.only}'")
+        raise Failure(f"{settings.shown(file)}: there is no fault '{given.only}'" if given.only else f"{file}: it is empty")
     copy = settings.output / "severity" / "source"
     mirror(settings, copy)
     for fault in chosen:
@@ -62,7 +64,7 @@ def run(arguments: list[str]) -> int:
     if given.tests:
         return against_tests(copy, chosen, given.build, given.tests, given.timeout)
     found = against_claims(settings, copy, chosen, given.timeout)
-    if not given.only:
+    if not given.only and not given.faults:
         record(settings, chosen, found)
     return 1 if "does not compile" in found.values() else 0
 
