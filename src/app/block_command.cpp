@@ -60,7 +60,7 @@ void add_measures(Result& result, const std::vector<block::MeasureEstimate>& mea
     const std::string unit = unit_of(name, units);
     require_finite(name, estimate.value);
     names.cells.push_back(name);
-    values.numbers.push_back(estimate.value + 0.0);
+    values.numbers.push_back(estimate.value);
     values.cells.push_back(earned(estimate));
     errors.numbers.push_back(estimate.abs_error);
     errors.cells.push_back(fmt::format("{:.2g}", estimate.abs_error));
@@ -110,7 +110,7 @@ ExitCode run(const BlockOptions& options) {
   const block::Analysis analysis(rectangle, material, {load.load}, discretization);
   const block::SupportedBlock supported = analysis.on(block::with_sides(sides));
   const block::RefinedSolution solution = supported.solve(load.load);
-  const auto measures = solution.measures({.surface_points = points});
+  const auto measures = solution.measures(points);
   Result result{.table_in_json = InJson::nothing, .notes = note_of(assumed)};
   result.details = {{"order", discretization.order},
                     {"elements", analysis.fine()->mesh().n_elements()},

@@ -124,9 +124,9 @@ Numbers add_columns(Table& table, const Function& function, const std::vector<do
     const Estimate estimate = function.quadrature(x);
     // At a jump the error is 0; elsewhere an infinite one comes with a number that has overflowed.
     require_finite(fmt::format("{}_quadrature at x = {}", function.key, x), estimate.abs_error);
-    numbers.quadrature.push_back(estimate.value + 0.0);
+    numbers.quadrature.push_back(estimate.value);
     numbers.abs_error.push_back(estimate.abs_error);
-    if (function.closed_form) numbers.closed_form.push_back(function.closed_form(x) + 0.0);
+    if (function.closed_form) numbers.closed_form.push_back(function.closed_form(x));
   }
   constexpr int most = 9, of_error = 2;
   const double largest = greatest(numbers.quadrature), error = greatest(numbers.abs_error);

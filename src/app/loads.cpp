@@ -80,7 +80,7 @@ ChosenLoad load_of_file(const std::string& file) {
                         return p * ((end - s) / (end - begin)) + q * ((s - begin) / (end - begin));
                       }});
   }
-  return {.load = {numerics::PiecewiseFunction(pieces), {}, {}},
+  return {.load = {numerics::PiecewiseFunction(pieces)},
           .x = std::move(points.x),
           .pressure = std::move(points.y)};
 }
@@ -156,7 +156,7 @@ ChosenLoad load_of_formula(const std::string& formula, double a, std::optional<d
     throw sys::InputError("--peak-pressure, p0 of the formula, is missing");
   }
   const auto pressure = parse_expression(formula, constants);
-  ChosenLoad chosen{.load = elasticity::distributed_load(pressure, nullptr, {-a, 0, a})};
+  ChosenLoad chosen{.load = elasticity::distributed_load(pressure, {-a, 0, a})};
   constexpr int n = 1000;
   for (int i = -n; i <= n; ++i) {
     chosen.x.push_back(a * i / n);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/flags.hpp"
+#include "config/units.hpp"
 #include "elasticity/load.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/triangular_load.hpp"

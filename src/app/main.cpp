@@ -109,7 +109,8 @@ std::string help_of(const CLI::App& command, const std::string& full_name) {
                         wrapped(description.substr(0, description.find(". ")), column));
   }
   std::vector<std::string> groups = command.get_groups();
-  std::ranges::rotate(groups, std::ranges::find(groups, "Options") + 1);  // the help comes last
+  // The help comes last.
+  std::rotate(groups.begin(), std::ranges::find(groups, "Options") + 1, groups.end());
   for (const std::string& group : groups) {
     text += fmt::format("\n{}:\n", group == "Options" ? "Other" : group);
     for (const CLI::Option* option : command.get_options()) {

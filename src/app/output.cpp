@@ -117,7 +117,7 @@ Output::Output(CLI::App& command, const std::string& tables)
             "Draw the result in a .svg, .png or .pdf file; - draws it in the terminal") {}
 
 Given Output::given() const {
-  const std::string units = units_.choice_or<std::string>(
+  const auto units = units_.choice_or<std::string>(
       "mm-N", {{"mm-N", "mm-N"}, {"m-N", "m-N"}, {"in-lbf", "in-lbf"}});
   Given given{std::nullopt, config::unit_system(units)};
   const auto format = format_.choice_or(

@@ -78,7 +78,7 @@ std::string csv_of(const Table& table);
 /// Quantities, closed forms, details, columns and units under their keys, with such digits too.
 std::string json_of(const Result& result);
 
-/// The numbers at the nodes, for a column; zeros without a sign.
+/// The numbers at the nodes, for a column.
 std::vector<double> to_vector(const Eigen::VectorXd& numbers);
 
 }  // namespace app

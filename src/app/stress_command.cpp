@@ -112,8 +112,8 @@ Table table_of(const std::vector<Point>& points, const Pressed& pressed,
                const config::UnitSystem& units) {
   const double nu = pressed.material.poisson();
   const auto column = [&](const auto& of_point) {
-    std::vector<double> numbers;
-    for (const Point& point : points) numbers.push_back(of_point(point) + 0.0);
+    std::vector<double> numbers(points.size());
+    std::ranges::transform(points, numbers.begin(), of_point);
     return numbers;
   };
   Table table = {column_of_places("x", units.length, column([](const Point& p) { return p.x; })),

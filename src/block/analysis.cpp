@@ -4,74 +4,66 @@
 #include <cmath>
 #include <utility>
 
+#include "block/measures.hpp"
+
 namespace block {
 namespace {
 
-numerics::Estimate compare(double fine, double coarse) {
-  return {fine, std::abs(fine - coarse)};
+template <class T, class F>
+auto each(const Levels<T>& levels, F of) {
+  return Levels<decltype(of(levels[0]))>{of(levels[0]), of(levels[1]), of(levels[2])};
 }
 
-std::shared_ptr<const Model> mesh_and_condense(const Rectangle& block,
-                                               const elasticity::Material& material,
-                                               const std::vector<elasticity::Load>& loads,
-                                               const Discretization& discretization) {
-  return std::make_shared<const Model>(graded_mesh(block, loads, discretization), material,
-                                       discretization.max_megabytes);
+numerics::Estimate estimate(double fine, double coarse, double coarser) {
+  constexpr double unbalanced = 1e-10;  // what a solution leaves of the load at most
+  return {fine,
+          std::abs(fine - coarse) + std::abs(coarse - coarser) / 2 + unbalanced * std::abs(fine)};
 }
 
 }  // namespace
 
-RefinedSolution::RefinedSolution(Solution fine, Solution coarse)
-    : fine_(std::move(fine)), coarse_(std::move(coarse)) {}
-
-RefinedSolution RefinedSolution::combination(const std::vector<RefinedSolution>& solutions,
-                                             const std::vector<double>& factors) {
-  std::vector<Solution> fine;
-  std::vector<Solution> coarse;
-  for (const RefinedSolution& solution : solutions) {
-    fine.push_back(solution.fine_);
-    coarse.push_back(solution.coarse_);
-  }
-  return {Solution::combination(fine, factors), Solution::combination(coarse, factors)};
-}
+RefinedSolution::RefinedSolution(Levels<Solution> levels, std::vector<Disc> left_out)
+    : levels_(std::move(levels)), left_out_(std::move(left_out)) {}
 
 numerics::Estimate RefinedSolution::displacement_z(double x, double z) const {
-  return compare(fine_.displacement(x, z).y(), coarse_.displacement(x, z).y());
+  const auto [fine, coarse, coarser] =
+      each(levels_, [&](const Solution& solution) { return solution.displacement(x, z).y(); });
+  return estimate(fine, coarse, coarser);
 }
 
-std::vector<MeasureEstimate> RefinedSolution::measures(const MeasureOptions& options) const {
-  const std::vector<Measure> fine = block::measures(fine_, options);
-  const std::vector<Measure> coarse = block::measures(coarse_, options);
-  MeasureOptions every_second = options;
-  every_second.plotting_grid = std::max(1, options.plotting_grid / 2);
-  const std::vector<Measure> sparse = block::measures(fine_, every_second);
+std::vector<MeasureEstimate> RefinedSolution::measures(
+    const std::vector<double>& surface_points) const {
+  const auto [fine, coarse, coarser] = each(levels_, [&](const Solution& solution) {
+    return block::measures(solution, left_out_, surface_points);
+  });
   std::vector<MeasureEstimate> estimates;
   for (std::size_t i = 0; i < fine.size(); ++i) {
-    numerics::Estimate value = compare(fine[i].value, coarse[i].value);
-    value.abs_error += std::abs(fine[i].value - sparse[i].value);
-    estimates.push_back({fine[i].name, value});
+    estimates.push_back({fine[i].name, estimate(fine[i].value, coarse[i].value, coarser[i].value)});
   }
   return estimates;
 }
 
-SupportedBlock::SupportedBlock(std::shared_ptr<const Model> fine,
-                               std::shared_ptr<const Model> coarse, const Supports& supports)
-    : fine_(std::move(fine), supports), coarse_(std::move(coarse), supports) {}
+SupportedBlock::SupportedBlock(const Rectangle& block,
+                               const Levels<std::shared_ptr<const Model>>& models,
+                               const Supports& supports)
+    : block_(block),
+      supports_(supports),
+      levels_(each(models, [&](const auto& model) { return Factorization(model, supports); })) {}
 
 RefinedSolution SupportedBlock::solve(const elasticity::Load& load) const {
-  return {fine_.solve(load), coarse_.solve(load)};
+  return {each(levels_, [&](const Factorization& f) { return f.solve(load); }),
+          discs_without_limit(block_, supports_, load)};
 }
 
 Analysis::Analysis(const Rectangle& block, const elasticity::Material& material,
-                   const std::vector<elasticity::Load>& loads,
-                   const Discretization& discretization) {
+                   const std::vector<elasticity::Load>& loads, const Discretization& discretization)
+    : block_(block) {
   require_valid(discretization);
-  fine_ = mesh_and_condense(block, material, loads, discretization);
-  coarse_ = mesh_and_condense(block, material, loads, coarser(discretization));
-}
-
-SupportedBlock Analysis::on(const Supports& supports) const {
-  return {fine_, coarse_, supports};
+  Discretization level = discretization;
+  for (std::shared_ptr<const Model>& model : levels_) {
+    model = std::make_shared<const Model>(graded_mesh(block, loads, level), material);
+    level = coarser(level);
+  }
 }
 
 }  // namespace block

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "block/mesh.hpp"
 #include "block/nodal_forces.hpp"
 #include "system/require.hpp"
 
@@ -15,17 +15,25 @@ namespace {
 // units set apart.
 constexpr double same_place = 1e-9;
 
+double lesser_side(const Rectangle& block) {
+  return std::min(block.width(), block.height());
+}
+
+// The distance from a kink to the next, at most `most`.
+double spacing_beside(const std::vector<double>& kinks, std::size_t i, double most) {
+  if (i > 0) most = std::min(most, kinks[i] - kinks[i - 1]);
+  if (i + 1 < kinks.size()) most = std::min(most, kinks[i + 1] - kinks[i]);
+  return most;
+}
+
 // Returns the kinks, each with the size of the elements beside it, and the sides of the block on
 // the left and right of them.
 std::vector<GradedPoint> graded_columns(const Rectangle& block, const std::vector<double>& kinks,
                                         double fraction) {
-  const double corner = fraction * block.width();
+  const double corner = fraction * lesser_side(block);
   std::vector<GradedPoint> points;
   for (std::size_t i = 0; i < kinks.size(); ++i) {
-    double spacing = block.width();
-    if (i > 0) spacing = std::min(spacing, kinks[i] - kinks[i - 1]);
-    if (i + 1 < kinks.size()) spacing = std::min(spacing, kinks[i + 1] - kinks[i]);
-    points.push_back({kinks[i], fraction * spacing});
+    points.push_back({kinks[i], fraction * spacing_beside(kinks, i, block.width())});
   }
 
   // The outermost points are the sides; a kink within rounding of a side is moved onto it
@@ -37,32 +45,36 @@ std::vector<GradedPoint> graded_columns(const Rectangle& block, const std::vecto
   return points;
 }
 
+// The difference of the pressure's limits on both sides of x.
+double jump_at(double x, double hair, const numerics::PiecewiseFunction& pressure) {
+  double jump = 0;
+  for (const numerics::Piece& piece : pressure.pieces()) {
+    if (std::abs(piece.begin - x) <= hair) jump += piece.value(piece.begin);
+    if (std::abs(piece.end - x) <= hair) jump -= piece.value(piece.end);
+  }
+  return std::abs(jump);
+}
+
 }  // namespace
 
 void require_valid(const Discretization& discretization) {
-  if (discretization.order < 2 || discretization.order > 10) {
-    throw sys::InvalidQuantity("order", discretization.order, "2 to 10");
+  if (discretization.order < 4 || discretization.order > 10) {
+    throw sys::InvalidQuantity("order", discretization.order, "4 to 10");
   }
-  if (discretization.refine < 0 || discretization.refine > 6) {
-    throw sys::InvalidQuantity("refine", discretization.refine, "0 to 6");
+  if (discretization.refine < 1 || discretization.refine > 4) {
+    throw sys::InvalidQuantity("refine", discretization.refine, "1 to 4");
   }
-  sys::require_positive("max_megabytes", discretization.max_megabytes);
 }
 
 Discretization coarser(const Discretization& discretization) {
-  Discretization result = discretization;
-  result.order -= 1;
-  result.refine = std::max(0, discretization.refine - 1);
-  return result;
+  return {discretization.order - 1, discretization.refine - 1};
 }
 
 std::vector<double> kinks_of(const std::vector<elasticity::Load>& loads) {
   std::vector<double> kinks;
   for (const elasticity::Load& load : loads) {
-    for (const auto* traction : {&load.normal, &load.tangential}) {
-      for (const numerics::Piece& piece : traction->pieces()) {
-        kinks.insert(kinks.end(), {piece.begin, piece.end});
-      }
+    for (const numerics::Piece& piece : load.normal.pieces()) {
+      kinks.insert(kinks.end(), {piece.begin, piece.end});
     }
   }
   std::sort(kinks.begin(), kinks.end());
@@ -79,16 +91,46 @@ Mesh graded_mesh(const Rectangle& block, const std::vector<elasticity::Load>& lo
   const std::vector<double> kinks = kinks_of(loads);
   if (kinks.empty()) {
     throw sys::InvalidQuantity("number of loads", static_cast<double>(loads.size()),
-                               "1 or more, with a traction that is not zero");
+                               "1 or more, with a pressure that is not zero");
   }
 
   const double fraction = 0.2 * std::pow(0.3, discretization.refine);
   const double ratio = 0.2 + 0.07 * discretization.refine;
   const std::vector<GradedPoint> columns = graded_columns(block, kinks, fraction);
-  double smallest = fraction * block.height();
+  const double corner = fraction * lesser_side(block);
+  double smallest = corner;
   for (const GradedPoint& column : columns) smallest = std::min(smallest, column.smallest);
   return {discretization.order, graded_lines(columns, ratio),
-          graded_lines({{0, smallest}, {block.height(), fraction * block.height()}}, ratio)};
+          graded_lines({{0, smallest}, {block.height(), corner}}, ratio)};
+}
+
+bool Disc::holds(const Eigen::Vector2d& point) const {
+  return std::hypot(point.x() - x, point.y() - z) < radius;
+}
+
+std::vector<Disc> discs_without_limit(const Rectangle& block, const Supports& supports,
+                                      const elasticity::Load& load) {
+  // A jump that is hidden by the errors of the rest
+  constexpr double least_jump = 1e-6;
+  std::vector<Disc> discs;
+  const std::vector<double> kinks = kinks_of({load});
+  for (std::size_t i = 0; i < kinks.size(); ++i) {
+    const double hair = same_place * (kinks.back() - kinks.front());
+    if (jump_at(kinks[i], hair, load.normal) > least_jump * load.normal.scale()) {
+      discs.push_back({kinks[i], 0, spacing_beside(kinks, i, block.width()) / 4});
+    }
+  }
+
+  const double radius = lesser_side(block) / 10;
+  for (const auto& [side, x] :
+       {std::pair{supports.left, block.left()}, std::pair{supports.right, block.right()}}) {
+    if (side == Support::clamped) discs.push_back({x, 0, radius});
+    const auto [least, most] = std::minmax({side, supports.bottom});
+    if (least == Support::free && most == Support::clamped) {
+      discs.push_back({x, block.height(), radius});
+    }
+  }
+  return discs;
 }
 
 }  // namespace block

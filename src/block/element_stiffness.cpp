@@ -10,9 +10,8 @@ Lame lame(const elasticity::Material& material) {
 }
 
 Eigen::MatrixXd element_stiffness(const LobattoBasis::Integrals& integrals, const Lame& lame,
-                                  double width, double height) {
+                                  double aspect) {
   const auto& [mass, stiffness, slope] = integrals;
-  const double aspect = height / width;
   const Eigen::Index n = mass.rows();
   Eigen::MatrixXd k(2 * n * n, 2 * n * n);
   for (Eigen::Index l = 0; l < n; ++l) {
@@ -44,10 +43,9 @@ StackedIntegrals::StackedIntegrals(const LobattoBasis::Integrals& integrals) {
   along_z << mass, stiffness, slope, slope.transpose();
 }
 
-Eigen::MatrixXd element_forces(const StackedIntegrals& integrals, const Lame& lame, double width,
-                               double height, const Eigen::MatrixXd& u) {
+Eigen::MatrixXd element_forces(const StackedIntegrals& integrals, const Lame& lame, double aspect,
+                               const Eigen::MatrixXd& u) {
   const Eigen::Index n = u.rows();
-  const double aspect = height / width;
   const double p_modulus = lame.lambda + 2 * lame.mu;
   const Eigen::MatrixXd along_x = integrals.along_x * u;
   const auto part = [&](int integral, int component) {

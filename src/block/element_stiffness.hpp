@@ -28,11 +28,12 @@ Lame lame(const elasticity::Material& material);
 ///
 /// With strains ε_xx = ∂u_x/∂x, ε_zz = ∂u_z/∂z, γ = ∂u_x/∂z + ∂u_z/∂x and stresses by λ and μ, the
 /// integrals along the two edges separate: the matrix is a sum of Kronecker products of the
-/// one-dimensional `integrals`, exact for every order. width and height are the rectangle's edges.
+/// one-dimensional `integrals`, exact for every order. It depends on the rectangle by its aspect
+/// alone, height over width.
 /// Size 2(p + 1)²; unknown 2[j(p + 1) + i] + c is component c (0: x, 1: z) at the node at step i
 /// along x and j along z.
 Eigen::MatrixXd element_stiffness(const LobattoBasis::Integrals& integrals, const Lame& lame,
-                                  double width, double height);
+                                  double aspect);
 
 /// The one-dimensional integrals one above the other, so that a product with all of them is one.
 struct StackedIntegrals {
@@ -44,8 +45,8 @@ struct StackedIntegrals {
 /// An element's stiffness times the displacements u of its nodes, without forming the matrix: the
 /// Kronecker products act along x and z in turn. u and the forces returned are (p + 1) × 2(p + 1):
 /// component c of the node at step i along x and j along z at row i, column c(p + 1) + j.
-Eigen::MatrixXd element_forces(const StackedIntegrals& integrals, const Lame& lame, double width,
-                               double height, const Eigen::MatrixXd& u);
+Eigen::MatrixXd element_forces(const StackedIntegrals& integrals, const Lame& lame, double aspect,
+                               const Eigen::MatrixXd& u);
 
 /// Which unknowns of an element lie on its edges and which inside, as indices into the above.
 struct UnknownSplit {

@@ -6,23 +6,16 @@
 namespace block {
 
 /// Points in [−1, 1] and the weights of a quadrature ∫ f dξ ≈ Σ wᵢ f(ξᵢ).
-struct LegendreRule {
-  Eigen::VectorXd points;   ///< rising
-  Eigen::VectorXd weights;  ///< sum 2
+struct GaussRule {
+  Eigen::VectorXd points;
+  Eigen::VectorXd weights;
 };
 
 /// The Gauss–Legendre rule of n ≥ 1 points, exact for polynomials of degree 2n − 1.
-///
-/// Points are the roots of P_n by Newton's method, weights 2/[(1 − ξ²) P_n′(ξ)²]; 1e-15 absolute
-/// for n up to 100.
-LegendreRule gauss_rule(int n);
+GaussRule gauss_rule(int n);
 
-/// The Gauss–Lobatto–Legendre rule of n ≥ 2 points, ±1 among them, exact for degree 2n − 3.
-///
-/// Inner points are the roots of P_{n−1}′, weights 2/[n(n − 1) P_{n−1}(ξ)²]; accuracy as above.
-LegendreRule lobatto_rule(int n);
-
-/// Lagrange polynomials N₀ … N_p on [−1, 1] through the p + 1 Gauss–Lobatto points.
+/// Lagrange polynomials N₀ … N_p on [−1, 1] through the p + 1 Gauss–Lobatto points, which are ±1
+/// and the extremes of Legendre's polynomial P_p between.
 ///
 /// Such nodes keep the basis well conditioned for every order used here, and the end nodes make
 /// neighbouring elements meet. All members are exact to some 1e-15·p².

@@ -3,123 +3,177 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-
-#include "system/require.hpp"
+#include <numbers>
+#include <optional>
 
 namespace block {
 namespace {
 
-// The value of the largest magnitude, with its sign. The two sides of a symmetric block agree but
-// for rounding, and the value on the left is taken, so that the sign of an antisymmetric measure
-// does not depend on rounding.
-class SignedExtreme {
+// What a maximum is sought of: the greatest magnitude, the greatest or the least value.
+enum class Extreme { magnitude, greatest, least };
+
+struct Quantity {
+  const char* name;
+  Extreme extreme;
+  bool is_stress;
+};
+
+constexpr std::array<Quantity, 11> quantities = {{
+    {"max_disp_mag", Extreme::greatest, false},
+    {"max_disp_x", Extreme::magnitude, false},
+    {"max_disp_y", Extreme::magnitude, false},
+    {"max_prin_mag", Extreme::magnitude, true},
+    {"max_stress_prin", Extreme::greatest, true},
+    {"max_stress_vm", Extreme::greatest, true},
+    {"max_stress_xx", Extreme::magnitude, true},
+    {"max_stress_xy", Extreme::magnitude, true},
+    {"max_stress_yy", Extreme::magnitude, true},
+    {"max_stress_zz", Extreme::magnitude, true},
+    {"min_stress_prin", Extreme::least, true},
+}};
+
+// The quantities at one point. Here z points down and y out of the plane; there y points up and z
+// out of the plane, so that the shear changes its sign.
+std::array<double, quantities.size()> values_of(const PointState& state, double nu) {
+  const elasticity::Stress& s = state.stress;
+  const auto principal = s.principal(nu);
+  const double greatest = principal.front();
+  const double least = principal.back();
+  return {state.displacement.norm(),
+          state.displacement.x(),
+          -state.displacement.y(),
+          std::abs(greatest) > std::abs(least) ? greatest : least,
+          greatest,
+          s.von_mises(nu),
+          s.xx,
+          -s.xz,
+          s.zz,
+          s.yy(nu),
+          least};
+}
+
+double rank_of(Extreme extreme, double value) {
+  if (extreme == Extreme::magnitude) return std::abs(value);
+  return extreme == Extreme::greatest ? value : -value;
+}
+
+struct Best {
+  double value = 0;
+  double rank = -std::numeric_limits<double>::infinity();
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  Eigen::Vector2d spacing = Eigen::Vector2d::Zero();  // of the points that were looked at around
+};
+
+class Search {
  public:
-  void offer(double value, double x) {
-    const double margin = 1e-6 * std::abs(value_);
-    const double gain = std::abs(value) - std::abs(value_);
-    if (gain > margin || (gain > -margin && x < x_)) {
-      value_ = value;
-      x_ = x;
+  Search(const Solution& solution, const std::vector<Disc>& left_out)
+      : solution_(solution), left_out_(left_out), nu_(solution.model().material().poisson()) {}
+
+  std::vector<Measure> maxima() {
+    sample_elements();
+    for (const Disc& disc : left_out_) sample_circle(disc);
+    std::vector<Measure> list;
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+      climb(q);
+      list.push_back({quantities[q].name, best_[q].value});
     }
+    return list;
   }
-  double value() const { return value_; }
 
  private:
-  double value_ = 0;
-  double x_ = std::numeric_limits<double>::infinity();
-};
-
-// The maxima over all points that were offered so far.
-struct Maxima {
-  double disp_mag = 0;
-  SignedExtreme disp_x, disp_y;
-  SignedExtreme stress_xx, stress_xy, stress_yy, stress_zz, prin_mag;
-  double stress_prin = -std::numeric_limits<double>::infinity();
-  double stress_prin_min = std::numeric_limits<double>::infinity();
-  double stress_prin_regular = -std::numeric_limits<double>::infinity();
-  double stress_vm = 0;
-
-  void offer(const PointState& state, bool is_regular);
-};
-
-void Maxima::offer(const PointState& state, bool is_regular) {
-  const double x = state.position.x();
-  const Stress& s = state.stress;
-  disp_mag = std::max(disp_mag, state.displacement.norm());
-  disp_x.offer(state.displacement.x(), x);
-  disp_y.offer(-state.displacement.y(), x);
-
-  // Here z points down and y out of the plane; there y points up and z out of the plane. So the
-  // shear changes its sign
-  stress_xx.offer(s.xx, x);
-  stress_xy.offer(-s.xz, x);
-  stress_yy.offer(s.zz, x);
-  stress_zz.offer(s.yy, x);
-  stress_vm = std::max(stress_vm, von_mises(s));
-
-  const auto principal = principal_stresses(s);
-  stress_prin = std::max(stress_prin, principal.front());
-  stress_prin_min = std::min(stress_prin_min, principal.back());
-  prin_mag.offer(principal.front(), x);
-  prin_mag.offer(principal.back(), x);
-  if (is_regular) stress_prin_regular = std::max(stress_prin_regular, principal.front());
-}
-
-bool is_outside(const std::vector<Disc>& discs, const Eigen::Vector2d& position) {
-  for (const Disc& disc : discs) {
-    if (std::hypot(position.x() - disc.x, position.y() - disc.z) < disc.radius) return false;
+  bool is_left_out(const Eigen::Vector2d& position) const {
+    return std::any_of(left_out_.begin(), left_out_.end(),
+                       [&](const Disc& disc) { return disc.holds(position); });
   }
-  return true;
-}
 
-Maxima maxima_of(const Solution& solution, const MeasureOptions& options) {
-  Maxima maxima;
-  const auto grid = Eigen::VectorXd::LinSpaced(options.plotting_grid + 1, -1, 1);
-  for (Index e = 0; e < solution.model().mesh().n_elements(); ++e) {
-    for (const PointState& state : solution.sample(e, grid)) {
-      maxima.offer(state, is_outside(options.singular_discs, state.position));
+  // Takes the state if it is better. The two sides of a symmetric block agree but for rounding, and
+  // the left one is taken, so that the sign of an antisymmetric quantity does not depend on
+  // rounding.
+  void offer(const PointState& state, const Eigen::Vector2d& spacing) {
+    const bool has_stress = !is_left_out(state.position);
+    const auto values = values_of(state, nu_);
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+      if (quantities[q].is_stress && !has_stress) continue;
+      const double rank = rank_of(quantities[q].extreme, values[q]);
+      const double gain = rank - best_[q].rank;
+      const double margin = 1e-6 * std::abs(rank);
+      if (gain > margin || (gain > -margin && state.position.x() < best_[q].position.x())) {
+        best_[q] = {values[q], rank, state.position, spacing};
+      }
     }
   }
-  return maxima;
-}
+
+  void sample_elements() {
+    constexpr int n_intervals = 10;
+    const Model& model = solution_.model();
+    const Abscissae grid(model.basis(), Eigen::VectorXd::LinSpaced(n_intervals + 1, -1, 1));
+    for (Index index = 0; index < model.mesh().n_elements(); ++index) {
+      const Element e = model.mesh().element(index);
+      const Eigen::Vector2d spacing(e.width() / n_intervals, e.height() / n_intervals);
+      for (const PointState& state : solution_.sample(index, grid, grid)) offer(state, spacing);
+    }
+  }
+
+  void sample_circle(const Disc& disc) {
+    constexpr int n_points = 800;
+    for (int i = 0; i < n_points; ++i) {
+      const double angle = 2 * std::numbers::pi * i / n_points;
+      const double outside = disc.radius * (1 + 1e-12);
+      const Eigen::Vector2d position(disc.x + outside * std::cos(angle),
+                                     disc.z + outside * std::sin(angle));
+      if (const auto state = state_at(position))
+        offer(*state, {disc.radius / 10, disc.radius / 10});
+    }
+  }
+
+  std::optional<PointState> state_at(const Eigen::Vector2d& position) const {
+    const Mesh& mesh = solution_.model().mesh();
+    const bool is_inside =
+        position.x() >= mesh.x_lines().front() && position.x() <= mesh.x_lines().back() &&
+        position.y() >= mesh.z_lines().front() && position.y() <= mesh.z_lines().back();
+    if (!is_inside) return std::nullopt;
+    return solution_.at(position.x(), position.y());
+  }
+
+  // Steps from the best point to a better neighbour as long as there is one, in ever smaller steps.
+  void climb(std::size_t q) {
+    Best& best = best_[q];
+    for (double size = 0.5; size > 1e-3;) {
+      Best next = best;
+      for (const Eigen::Vector2d& direction : {Eigen::Vector2d{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const auto state = state_at(best.position + size * direction.cwiseProduct(best.spacing));
+        if (!state || (quantities[q].is_stress && is_left_out(state->position))) continue;
+        const double value = values_of(*state, nu_)[q];
+        const double rank = rank_of(quantities[q].extreme, value);
+        if (rank > next.rank) next = {value, rank, state->position, best.spacing};
+      }
+      if (next.rank > best.rank)
+        best = next;
+      else
+        size /= 2;
+    }
+  }
+
+  const Solution& solution_;
+  const std::vector<Disc>& left_out_;
+  double nu_;
+  std::array<Best, quantities.size()> best_;
+};
 
 }  // namespace
 
-std::vector<Measure> measures(const Solution& solution, const MeasureOptions& options) {
-  if (options.plotting_grid < 1) {
-    throw sys::InvalidQuantity("plotting_grid", options.plotting_grid, "1 or more");
-  }
-  const Maxima maxima = maxima_of(solution, options);
-  const Resultant applied = solution.applied();
-  std::vector<Measure> list{{"resultant_load_x", applied.force.x()},
-                            {"resultant_load_y", -applied.force.y()},
-                            {"max_disp_mag", maxima.disp_mag},
-                            {"max_disp_x", maxima.disp_x.value()},
-                            {"max_disp_y", maxima.disp_y.value()},
-                            {"max_disp_z", 0},
-                            {"max_prin_mag", maxima.prin_mag.value()},
-                            {"max_rot_mag", 0},
-                            {"max_rot_x", 0},
-                            {"max_rot_y", 0},
-                            {"max_rot_z", 0},
-                            {"max_stress_prin", maxima.stress_prin},
-                            {"max_stress_vm", maxima.stress_vm},
-                            {"max_stress_xx", maxima.stress_xx.value()},
-                            {"max_stress_xy", maxima.stress_xy.value()},
-                            {"max_stress_xz", 0},
-                            {"max_stress_yy", maxima.stress_yy.value()},
-                            {"max_stress_yz", 0},
-                            {"max_stress_zz", maxima.stress_zz.value()},
-                            {"min_stress_prin", maxima.stress_prin_min},
-                            {"strain_energy", solution.strain_energy()}};
-  for (std::size_t i = 0; i < options.surface_points.size(); ++i) {
-    const double u_z = solution.displacement(options.surface_points[i], 0).y();
+std::vector<Measure> measures(const Solution& solution, const std::vector<Disc>& left_out,
+                              const std::vector<double>& surface_points) {
+  std::vector<Measure> list = Search(solution, left_out).maxima();
+  list.insert(list.begin(), {"resultant_load_y", -solution.applied().y()});
+  list.push_back({"strain_energy", solution.strain_energy()});
+  for (std::size_t i = 0; i < surface_points.size(); ++i) {
+    const double u_z = solution.displacement(surface_points[i], 0).y();
     list.push_back({fmt::format("measure{}", i + 1), -u_z});
-  }
-  if (!options.singular_discs.empty()) {
-    list.push_back({"max_stress_prin_regular", maxima.stress_prin_regular});
   }
   return list;
 }

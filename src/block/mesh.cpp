@@ -2,30 +2,13 @@
 #include "block/mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "block/lobatto_basis.hpp"
 #include "system/require.hpp"
 
 namespace block {
 namespace {
-
-int require_order(int order) {
-  if (order < 1 || order > 12) throw sys::InvalidQuantity("order", order, "1 to 12");
-  return order;
-}
-
-void require_rising(const char* quantity, const std::vector<double>& lines) {
-  if (lines.size() < 2) {
-    throw sys::InvalidQuantity(quantity, static_cast<double>(lines.size()), "two or more");
-  }
-  sys::require_finite(quantity, lines.front());
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (!(sys::require_finite(quantity, lines[i]) > lines[i - 1])) {
-      throw sys::InvalidQuantity(quantity, lines[i], "greater than the line before");
-    }
-  }
-}
 
 // Returns the interval of `lines` that holds `value`, and the place of the value in it, from −1
 // to 1.
@@ -39,23 +22,25 @@ std::pair<Index, double> locate_between(const char* quantity, const std::vector<
   return {above - lines.begin() - 1, 2 * (value - begin) / (*above - begin) - 1};
 }
 
-double coordinate(const std::vector<double>& lines, const Eigen::VectorXd& nodes, Index step,
-                  int order) {
-  const auto i = static_cast<std::size_t>(step / order);
-  if (step % order == 0) return lines[i];
-  return lines[i] + (lines[i + 1] - lines[i]) * (1 + nodes[step % order]) / 2;
+// Returns the distances of the boundaries from a graded end, of which the first is `smallest` and
+// the last `length`.
+std::vector<double> graded_distances(double smallest, double length, double ratio) {
+  if (smallest >= length) return {length};
+  const double exact = std::log(smallest / length) / std::log(ratio);
+  // The end is taken a little before `length`, so that rounding does not add a layer to one of two
+  // equal halves.
+  const int n_layers = static_cast<int>(std::ceil(exact - 1e-9));
+  std::vector<double> distances;
+  for (int k = n_layers; k >= 0; --k) {
+    distances.push_back(length * std::pow(smallest / length, static_cast<double>(k) / n_layers));
+  }
+  return distances;
 }
 
 }  // namespace
 
 Mesh::Mesh(int order, std::vector<double> x_lines, std::vector<double> z_lines)
-    : order_(require_order(order)),
-      x_lines_(std::move(x_lines)),
-      z_lines_(std::move(z_lines)),
-      nodes_(lobatto_rule(order_ + 1).points) {
-  require_rising("x_lines", x_lines_);
-  require_rising("z_lines", z_lines_);
-}
+    : order_(order), x_lines_(std::move(x_lines)), z_lines_(std::move(z_lines)) {}
 
 Element Mesh::element(Index index) const {
   const Index column = index % n_columns();
@@ -73,12 +58,6 @@ Eigen::Vector2<Index> Mesh::grid_position(Index node) const {
   return {node % n_nodes_along_x(), node / n_nodes_along_x()};
 }
 
-Eigen::Vector2d Mesh::position(Index node) const {
-  const Eigen::Vector2<Index> step = grid_position(node);
-  return {coordinate(x_lines_, nodes_, step.x(), order_),
-          coordinate(z_lines_, nodes_, step.y(), order_)};
-}
-
 bool Mesh::is_interior(Index node) const {
   const Eigen::Vector2<Index> step = grid_position(node);
   return step.x() % order_ != 0 && step.y() % order_ != 0;
@@ -88,6 +67,27 @@ LocalPoint Mesh::locate(double x, double z) const {
   const auto [column, xi] = locate_between("x", x_lines_, x);
   const auto [row, zeta] = locate_between("z", z_lines_, z);
   return {row * n_columns() + column, xi, zeta};
+}
+
+std::vector<double> graded_lines(const std::vector<GradedPoint>& points, double ratio) {
+  std::vector<double> lines{points.front().position};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const GradedPoint& begin = points[i];
+    const GradedPoint& end = points[i + 1];
+    const double half = (end.position - begin.position) / 2;
+
+    // Grade the first half away from its end and the second towards its own; the boundary in the
+    // middle belongs to both
+    for (const double d : graded_distances(begin.smallest, half, ratio)) {
+      lines.push_back(begin.position + d);
+    }
+    const std::vector<double> inwards = graded_distances(end.smallest, half, ratio);
+    for (auto d = inwards.rbegin() + 1; d != inwards.rend(); ++d) {
+      lines.push_back(end.position - *d);
+    }
+    lines.push_back(end.position);
+  }
+  return lines;
 }
 
 }  // namespace block

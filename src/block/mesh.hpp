@@ -33,8 +33,7 @@ struct Element {
 /// first; so are the elements. z = z_lines.front() is the loaded top.
 class Mesh {
  public:
-  /// order 1 … 12 (1 and 9 … 12 for tests and error estimates); each of the lines rises strictly
-  /// and has two entries or more. Throws InvalidQuantity otherwise.
+  /// order ≥ 1; each of the lines rises strictly and has two entries or more.
   Mesh(int order, std::vector<double> x_lines, std::vector<double> z_lines);
 
   int order() const { return order_; }
@@ -56,9 +55,6 @@ class Mesh {
   /// The node's place in the grid of nodes: (step along x, step along z).
   Eigen::Vector2<Index> grid_position(Index node) const;
 
-  /// The node's (x, z), two lengths.
-  Eigen::Vector2d position(Index node) const;
-
   /// Whether the node lies inside an element and touches no other.
   bool is_interior(Index node) const;
 
@@ -70,7 +66,6 @@ class Mesh {
   int order_;
   std::vector<double> x_lines_;
   std::vector<double> z_lines_;
-  Eigen::VectorXd nodes_;  // of the reference element
 };
 
 /// A point of a line towards which the mesh becomes finer, and the size of the elements beside it.

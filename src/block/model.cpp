@@ -1,72 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/model.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <map>
 #include <utility>
 
-#include "system/require.hpp"
-
 namespace block {
-namespace {
 
-Mesh require_fitting(Mesh mesh, double max_megabytes) {
-  const double megabytes = estimated_megabytes(mesh);
-  if (!(megabytes <= max_megabytes)) {
-    throw sys::InvalidQuantity(
-        "estimated memory in megabytes", std::round(megabytes),
-        fmt::format("{} or less; lower the order or the refinement", max_megabytes));
-  }
-  return mesh;
-}
-
-}  // namespace
-
-double estimated_megabytes(const Mesh& mesh) {
-  const double p = mesh.order();
-  const double n_edge = 8 * p;
-  const double n_interior = 2 * (p - 1) * (p - 1);
-  const double n_elements =
-      static_cast<double>(mesh.n_columns()) * static_cast<double>(mesh.n_rows());
-
-  // Count the numbers that a condensed element keeps. Its triplets hold a number and two indices
-  // each, and exist twice while the matrix is assembled
-  const double condensed = n_edge * n_edge + n_edge * n_interior + n_interior * n_interior;
-  const double assembly = 2 * 2 * n_edge * n_edge / 2;
-
-  // Count a banded factor, numbered along the shorter side: a line of elements has 2(3p − 1)
-  // unknowns for each of them
-  const double n_across = static_cast<double>(std::min(mesh.n_columns(), mesh.n_rows()));
-  const double factor = 2 * (2 * p - 1) * 1.5 * 2 * (3 * p - 1) * n_across;
-  return 8e-6 * n_elements * (condensed + assembly + factor);
-}
-
-Model::Model(Mesh mesh, const elasticity::Material& material, double max_megabytes)
-    : mesh_(require_fitting(std::move(mesh), max_megabytes)),
+Model::Model(Mesh mesh, const elasticity::Material& material)
+    : mesh_(std::move(mesh)),
       material_(material),
       lame_(block::lame(material)),
       basis_(mesh_.order()),
       integrals_(basis_.integrals()),
       stacked_(integrals_),
       split_(split_unknowns(mesh_.order())) {
-  const auto start = std::chrono::steady_clock::now();
+  std::map<double, std::shared_ptr<const CondensedStiffness>> by_aspect;
   condensed_.reserve(static_cast<std::size_t>(mesh_.n_elements()));
-  for (Index e = 0; e < mesh_.n_elements(); ++e) {
-    condensed_.push_back(condense(stiffness(e), split_));
+  for (Index index = 0; index < mesh_.n_elements(); ++index) {
+    const Element e = mesh_.element(index);
+    auto& condensed = by_aspect[e.height() / e.width()];
+    if (!condensed) {
+      condensed = std::make_shared<const CondensedStiffness>(
+          condense(element_stiffness(integrals_, lame_, e.height() / e.width()), split_));
+    }
+    condensed_.push_back(condensed);
   }
-  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 const CondensedStiffness& Model::condensed(Index element) const {
-  return condensed_[static_cast<std::size_t>(element)];
-}
-
-Eigen::MatrixXd Model::stiffness(Index element) const {
-  const Element e = mesh_.element(element);
-  return element_stiffness(integrals_, lame_, e.width(), e.height());
+  return *condensed_[static_cast<std::size_t>(element)];
 }
 
 std::vector<Index> Model::unknowns(Index element) const {
@@ -94,7 +56,7 @@ Eigen::VectorXd Model::internal_forces(const Eigen::VectorXd& displacements) con
       const Eigen::VectorXd component = gathered(Eigen::seqN(c, n * n, 2));
       local.middleCols(c * n, n).reshaped() = component.array() - component.mean();
     }
-    const Eigen::MatrixXd f = element_forces(stacked_, lame_, e.width(), e.height(), local);
+    const Eigen::MatrixXd f = element_forces(stacked_, lame_, e.height() / e.width(), local);
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const auto node = static_cast<Index>(k) / 2;
       forces[numbers[k]] += f(node % n, static_cast<Index>(k) % 2 * n + node / n);

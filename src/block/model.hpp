@@ -16,13 +16,11 @@ namespace block {
 ///
 /// It holds what no support and no load changes, computed once and shared by all of them. The whole
 /// block is modelled and never half of it, so that all loads are treated alike and a test can ask
-/// whether a result is symmetric. The object never changes and is shared by pointer, so that
-/// several threads may use it.
+/// whether a result is symmetric. The object never changes and is shared by pointer.
 class Model {
  public:
-  /// Computes and condenses the stiffness of every element. Throws InvalidQuantity, before
-  /// allocating, if estimated_megabytes(mesh) exceeds max_megabytes.
-  Model(Mesh mesh, const elasticity::Material& material, double max_megabytes = 2000);
+  /// Computes and condenses the stiffness of every element. Throws FactorizationError as condense.
+  Model(Mesh mesh, const elasticity::Material& material);
 
   const Mesh& mesh() const { return mesh_; }
   const LobattoBasis& basis() const { return basis_; }
@@ -30,9 +28,6 @@ class Model {
   const elasticity::Material& material() const { return material_; }
   const UnknownSplit& split() const { return split_; }
   const CondensedStiffness& condensed(Index element) const;
-
-  /// The full stiffness of one element, see element_stiffness; recomputed at each call.
-  Eigen::MatrixXd stiffness(Index element) const;
 
   /// The global numbers 2·node + c of an element's unknowns, in the order of its stiffness.
   std::vector<Index> unknowns(Index element) const;
@@ -43,9 +38,6 @@ class Model {
   /// would cost are those that the equilibrium of thin elements needs.
   Eigen::VectorXd internal_forces(const Eigen::VectorXd& displacements) const;
 
-  /// Seconds of wall time that the construction took.
-  double seconds() const { return seconds_; }
-
  private:
   Mesh mesh_;
   elasticity::Material material_;
@@ -54,13 +46,7 @@ class Model {
   LobattoBasis::Integrals integrals_;
   StackedIntegrals stacked_;
   UnknownSplit split_;
-  std::vector<CondensedStiffness> condensed_;
-  double seconds_ = 0;
+  std::vector<std::shared_ptr<const CondensedStiffness>> condensed_;  // one for all of one aspect
 };
-
-/// Memory in 10⁶ bytes that a model of this mesh and one factorisation of it need, on the safe
-/// side: the condensed elements, the triplets of assembly and the Cholesky factor as if it were
-/// banded.
-double estimated_megabytes(const Mesh& mesh);
 
 }  // namespace block

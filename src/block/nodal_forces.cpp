@@ -3,16 +3,15 @@
 
 #include <algorithm>
 
-#include "block/lobatto_basis.hpp"
 #include "system/require.hpp"
 
 namespace block {
 namespace {
 
-// Returns ∫ N_i(x) t(x) dx over the part of an element's top edge that one piece of the traction
+// Returns ∫ N_i(x) p(x) dx over the part of an element's top edge that one piece of the pressure
 // covers.
 Eigen::VectorXd edge_forces(const LobattoBasis& basis, const Element& element,
-                            const numerics::Piece& piece, const LegendreRule& rule) {
+                            const numerics::Piece& piece, const GaussRule& rule) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(basis.order() + 1);
   const double begin = std::max(piece.begin, element.x0);
   const double end = std::min(piece.end, element.x1);
@@ -35,14 +34,12 @@ void require_inside(const elasticity::Load& load, double left, double right) {
                                "absent: spread it over a width, under it a continuum "
                                "displaces infinitely");
   }
-  for (const auto* traction : {&load.normal, &load.tangential}) {
-    for (const numerics::Piece& piece : traction->pieces()) {
-      if (piece.begin < left) {
-        throw sys::InvalidQuantity("begin of the load", piece.begin, "on the block");
-      }
-      if (piece.end > right) {
-        throw sys::InvalidQuantity("end of the load", piece.end, "on the block");
-      }
+  for (const numerics::Piece& piece : load.normal.pieces()) {
+    if (piece.begin < left) {
+      throw sys::InvalidQuantity("begin of the load", piece.begin, "on the block");
+    }
+    if (piece.end > right) {
+      throw sys::InvalidQuantity("end of the load", piece.end, "on the block");
     }
   }
 }
@@ -51,44 +48,15 @@ Eigen::VectorXd surface_forces(const Mesh& mesh, const LobattoBasis& basis,
                                const elasticity::Load& load) {
   require_inside(load, mesh.x_lines().front(), mesh.x_lines().back());
 
-  // In t the integrand has three times the degree of N_i and of a quartic traction, and two more
+  // In t the integrand has three times the degree of N_i and of a quartic pressure, and two more
   // for dx/dt; a rule of n points is exact to degree 2n − 1
-  const LegendreRule rule = gauss_rule(2 * mesh.order() + 10);
+  const GaussRule rule = gauss_rule(2 * mesh.order() + 10);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * mesh.n_nodes());
-  const auto add = [&](const numerics::PiecewiseFunction& traction, int component) {
-    for (Index column = 0; column < mesh.n_columns(); ++column) {
-      const Element element = mesh.element(column);
-      for (const numerics::Piece& piece : traction.pieces()) {
-        const Eigen::VectorXd part = edge_forces(basis, element, piece, rule);
-        for (int i = 0; i <= mesh.order(); ++i) {
-          forces[2 * mesh.node(element, i, 0) + component] += part[i];
-        }
-      }
-    }
-  };
-  add(load.tangential, 0);
-  add(load.normal, 1);
-  return forces;
-}
-
-Eigen::VectorXd body_forces(const Mesh& mesh, const LobattoBasis& basis, const Field& body_force) {
-  const LegendreRule rule = gauss_rule(mesh.order() + 3);
-  const Eigen::MatrixXd n = basis.values_at(rule.points);
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * mesh.n_nodes());
-  for (Index index = 0; index < mesh.n_elements(); ++index) {
-    const Element e = mesh.element(index);
-    for (Index k = 0; k < rule.points.size(); ++k) {
-      for (Index l = 0; l < rule.points.size(); ++l) {
-        const double x = e.x0 + e.width() * (1 + rule.points[k]) / 2;
-        const double z = e.z0 + e.height() * (1 + rule.points[l]) / 2;
-        const double area = e.width() * e.height() / 4 * rule.weights[k] * rule.weights[l];
-        const Eigen::Vector2d force = area * body_force(x, z);
-        for (int j = 0; j <= mesh.order(); ++j) {
-          for (int i = 0; i <= mesh.order(); ++i) {
-            forces.segment<2>(2 * mesh.node(e, i, j)) += n(k, i) * n(l, j) * force;
-          }
-        }
-      }
+  for (Index column = 0; column < mesh.n_columns(); ++column) {
+    const Element element = mesh.element(column);
+    for (const numerics::Piece& piece : load.normal.pieces()) {
+      const Eigen::VectorXd part = edge_forces(basis, element, piece, rule);
+      for (int i = 0; i <= mesh.order(); ++i) forces[2 * mesh.node(element, i, 0) + 1] += part[i];
     }
   }
   return forces;

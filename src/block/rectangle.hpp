@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
-
 namespace block {
 
 /// The cross-section of the block, |x| ≤ width/2 and 0 ≤ z ≤ height; its top z = 0 carries the
@@ -52,14 +50,11 @@ enum class Support {
   clamped  ///< no displacement
 };
 
-/// How the block is held on its four sides; the bottom is clamped and the top free by default.
+/// How the block is held on three sides; the bottom is clamped by default. The top is free.
 struct Supports {
   Support left = Support::free;
   Support right = Support::free;
   Support bottom = Support::clamped;
-  Support top = Support::free;
-
-  friend auto operator<=>(const Supports&, const Supports&) = default;
 };
 
 /// The block held alike on its left and right, with the bottom clamped: the cases of the report.
@@ -68,8 +63,8 @@ Supports with_sides(Support sides);
 /// Throws InvalidQuantity unless the supports prevent all three rigid motions.
 ///
 /// Any side that is held prevents the rotation, since a line stays in place. A translation can be
-/// left: that along x if left and right are free and neither bottom nor top is clamped, and
-/// likewise that along z.
+/// left: that along x if left and right are free and the bottom is not clamped, that along z if the
+/// bottom is free and no side clamped.
 void require_no_rigid_motion(const Supports& supports);
 
 }  // namespace block

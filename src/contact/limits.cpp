@@ -19,9 +19,8 @@ constexpr double enough_across = 20;
 double require_tolerance(double tolerance, double least) {
   constexpr double too_large = 0.01;
   if (!(tolerance >= least && tolerance <= too_large)) {
-    throw sys::InvalidQuantity(
-        "tolerance", tolerance,
-        fmt::format("from {}, which is rounding, to {}", least, too_large));
+    throw sys::InvalidQuantity("tolerance", tolerance,
+                               fmt::format("from {}, which is rounding, to {}", least, too_large));
   }
   return tolerance;
 }

@@ -28,12 +28,12 @@ struct Resolution {
 /// A contact of fewer nodes carries any load without a residual, and its pressure means nothing.
 inline constexpr Eigen::Index least_nodes_in_contact = 8;
 
-/// Throws InvalidQuantity for fewer than least_nodes_in_contact. The message says how many nodes, or
-/// which domain, would do.
+/// Throws InvalidQuantity for fewer than least_nodes_in_contact. The message says how many nodes,
+/// or which domain, would do.
 void require_resolved(const Resolution& resolution);
 
-/// The error of width and greatest pressure, relative: of second order, measured against Hertz at the
-/// worst of all places of the edge between two nodes.
+/// The error of width and greatest pressure, relative: of second order, measured against Hertz at
+/// the worst of all places of the edge between two nodes.
 double relative_error(const Resolution& resolution);
 
 /// A sentence with the size of the error if fewer than 20 nodes lie across the contact, else empty.

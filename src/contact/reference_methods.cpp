@@ -126,8 +126,8 @@ ContactLoads minimise(const Equations& equations,
     previous = square;
     displace(direction, change);
     change.array() -= (carrying * change.array()).sum() / n_carrying;  // q = −T d − ⟨−T d⟩
-    const double step = direction.dot(gap) / direction.dot(change);  // α = (d, g) / (d, q)
-    phi = (phi - step * direction).cwiseMax(0);                      // φ = max(φ − α d, 0)
+    const double step = direction.dot(gap) / direction.dot(change);    // α = (d, g) / (d, q)
+    phi = (phi - step * direction).cwiseMax(0);                        // φ = max(φ − α d, 0)
 
     // Let nodes that penetrate begin to carry, φ = −α g; the directions then start again
     is_conjugate = true;

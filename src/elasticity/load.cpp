@@ -4,27 +4,18 @@
 #include "system/require.hpp"
 
 namespace elasticity {
-namespace {
-
-numerics::PiecewiseFunction split_at(const std::vector<double>& breakpoints,
-                                     const std::function<double(double)>& function) {
-  std::vector<numerics::Piece> pieces;
-  for (std::size_t i = 0; function && i + 1 < breakpoints.size(); ++i) {
-    pieces.push_back({breakpoints[i], breakpoints[i + 1], function});
-  }
-  return numerics::PiecewiseFunction(pieces);
-}
-
-}  // namespace
 
 Load distributed_load(const std::function<double(double)>& pressure,
-                      const std::function<double(double)>& shear,
                       const std::vector<double>& breakpoints) {
   if (breakpoints.size() < 2) {
     throw sys::InvalidQuantity("number of breakpoints", static_cast<double>(breakpoints.size()),
                                "2 or more");
   }
-  return {split_at(breakpoints, pressure), split_at(breakpoints, shear), {}};
+  std::vector<numerics::Piece> pieces;
+  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+    pieces.push_back({breakpoints[i], breakpoints[i + 1], pressure});
+  }
+  return {numerics::PiecewiseFunction(pieces)};
 }
 
 double tangential_gradient(const Material& material, const Load& load, double x) {

@@ -15,28 +15,25 @@ struct LineForce {
   double magnitude;  ///< P, force per unit length, positive into the body
 };
 
-/// What acts on the surface of a body: any normal traction p(s), any tangential traction q(s), and
-/// concentrated normal forces.
+/// What presses on the surface of a body without friction: any pressure p(s), a stress, and
+/// concentrated forces.
 ///
-/// p is positive into the body (a pressure), q positive in the direction of x; both are stresses.
 /// The named loads of the paper convert to this; an arbitrary one is made by distributed_load.
 struct Load {
   numerics::PiecewiseFunction normal;
-  numerics::PiecewiseFunction tangential;
-  std::vector<LineForce> forces;
+  std::vector<LineForce> forces = {};
 };
 
-/// A load of arbitrary tractions p(s) and q(s) on [breakpoints.front(), breakpoints.back()].
+/// A load of arbitrary pressure p(s) on [breakpoints.front(), breakpoints.back()].
 ///
-/// `breakpoints` (at least two, rising) are the ends of the load and every kink between them; both
-/// functions are smooth between and continuous across them. Leave one empty for none of it.
-/// Throws InvalidQuantity for breakpoints out of order or tractions that are not finite there.
+/// `breakpoints` (at least two, rising) are the ends of the load and every kink between them; p is
+/// smooth between and continuous across them. Throws InvalidQuantity for breakpoints out of order
+/// and a pressure that is not finite there.
 Load distributed_load(const std::function<double(double)>& pressure,
-                      const std::function<double(double)>& shear,
                       const std::vector<double>& breakpoints);
 
-/// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) of a half-space's surface under any load without friction:
-/// Johnson (2.25a) with q = 0; at a jump the mean of both sides. Dimensionless; any finite x.
+/// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) of a half-space's surface: Johnson (2.25a) with q = 0; at a jump
+/// the mean of both sides. Dimensionless; any finite x.
 double tangential_gradient(const Material& material, const Load& load, double x);
 
 /// What loads on |x| ≤ a with a greatest pressure share.

@@ -37,7 +37,8 @@ double normal_gradient(const Material& material, const UniformLoad& load, double
   if (distance == a) {
     throw sys::InvalidQuantity("x", x, "off the edge of the load, where the gradient is infinite");
   }
-  // ln|(x+a)/(x−a)| = 2 artanh of the smaller of x/a and a/x; near the edge the plain form is exact.
+  // ln|(x+a)/(x−a)| = 2 artanh of the smaller of x/a and a/x; near the edge the plain form is
+  // exact.
   const double ratio = distance < a ? distance / a : a / distance;
   const double logarithm =
       ratio < 0.5 ? 2 * std::atanh(ratio) : std::log((distance + a) / std::abs(distance - a));
@@ -71,12 +72,11 @@ LinearFall::operator Load() const {
     const double t = std::abs(x) / a;
     return p0 * ((1 - t) + e * t);
   };
-  return distributed_load(pressure, nullptr, {-half_width(), 0, half_width()});
+  return distributed_load(pressure, {-half_width(), 0, half_width()});
 }
 
 double normal_gradient(const Material& material, const LinearFall& load, double x) {
-  return superposed(load,
-                    [&](const auto& part) { return normal_gradient(material, part, x); });
+  return superposed(load, [&](const auto& part) { return normal_gradient(material, part, x); });
 }
 
 double normal_displacement(const Material& material, const LinearFall& load, double x,

@@ -7,9 +7,9 @@
 
 namespace elasticity {
 
-/// The stress at (x, z) in the half-space z > 0 in plane strain, beneath a pressure that is given at
-/// nodes, linear between them and zero outside. {−a, a} with {p, p} is a strip load, {−a, 0, a} with
-/// {0, p₀, 0} the triangle of eq. (4).
+/// The stress at (x, z) in the half-space z > 0 in plane strain, beneath a pressure that is given
+/// at nodes, linear between them and zero outside. {−a, a} with {p, p} is a strip load, {−a, 0, a}
+/// with {0, p₀, 0} the triangle of eq. (4).
 ///
 /// With w = x + iz and F(w) = ∫ p/(w−s) ds, Johnson (2.23) is
 ///
@@ -20,7 +20,8 @@ namespace elasticity {
 ///
 ///   F = p(w) L − (p₂−p₁),  F′ = m L + p₁/(w−x₁) − p₂/(w−x₂)   (Johnson, section 2.5; derived).
 ///
-/// From ten half-lengths on, where these terms cancel, Gauss's rule of six points takes their place.
+/// From ten half-lengths on, where these terms cancel, Gauss's rule of six points takes their
+/// place.
 ///
 /// Nodes are lengths, two or more, rising, with as many pressures (stresses, of any sign); z ≥ 0.
 /// InvalidQuantity is thrown otherwise, and at a point of the surface where the pressure jumps: the

@@ -21,14 +21,17 @@ double distance_to_force(const LineForce& force, double x) {
   return x - force.position;
 }
 
+double width_of(const numerics::PiecewiseFunction& pressure) {
+  if (pressure.is_zero()) return 0;
+  return pressure.pieces().back().end - pressure.pieces().front().begin;
+}
+
 // The points where a gradient has no Taylor series: the ends of all pieces.
 std::vector<double> kinks_between(const Load& load, double low, double high) {
   std::vector<double> kinks;
-  for (const auto* traction : {&load.normal, &load.tangential}) {
-    for (const numerics::Piece& piece : traction->pieces()) {
-      for (const double end : {piece.begin, piece.end}) {
-        if (end > low && end < high) kinks.push_back(end);
-      }
+  for (const numerics::Piece& piece : load.normal.pieces()) {
+    for (const double end : {piece.begin, piece.end}) {
+      if (end > low && end < high) kinks.push_back(end);
     }
   }
   std::sort(kinks.begin(), kinks.end());
@@ -43,26 +46,18 @@ SurfaceQuadrature::SurfaceQuadrature(const Material& material, const Load& load,
       load_(load),
       datum_(sys::require_finite("datum", datum)),
       normal_(load.normal),
-      tangential_(load.tangential),
       constant_(-displacement_without_constant(datum)) {}
 
-// begin excerpt: equation-2
 Estimate SurfaceQuadrature::normal_gradient(double x) const {
-  // −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds
   Estimate integral = normal_.cauchy(x);
   for (const LineForce& force : load_.forces) {
     integral.value += force.magnitude / distance_to_force(force, x);
   }
-  const Estimate gradient = -material_.integral_compliance() * integral;
-
-  // + [(1−2ν)(1+ν)/E] q(x)
-  return gradient + Estimate{material_.local_compliance() * load_.tangential(x), 0};
+  return -material_.integral_compliance() * integral;
 }
-// end excerpt: equation-2
 
 Estimate SurfaceQuadrature::tangential_gradient(double x) const {
-  const Estimate local{-material_.local_compliance() * load_.normal(x), 0};
-  return local + -material_.integral_compliance() * tangential_.cauchy(x);
+  return {elasticity::tangential_gradient(material_, load_, x), 0};
 }
 
 Estimate SurfaceQuadrature::normal_displacement(double x) const {
@@ -70,36 +65,27 @@ Estimate SurfaceQuadrature::normal_displacement(double x) const {
 }
 
 Estimate SurfaceQuadrature::tangential_displacement(double x) const {
-  Estimate local = -local_part(normal_, x);
+  const Estimate difference = 2.0 * normal_.integral_below(x) - normal_.total();
+  Estimate sum = -material_.local_compliance() / 2 * difference;
   for (const LineForce& force : load_.forces) {
     const double side = std::copysign(1.0, distance_to_force(force, x));
-    local.value -= material_.local_compliance() / 2 * force.magnitude * side;
+    sum.value -= material_.local_compliance() / 2 * force.magnitude * side;
   }
-  return local + logarithmic_part(tangential_, x) - logarithmic_part(tangential_, datum_);
+  return sum;
 }
 
 Estimate SurfaceQuadrature::displacement_without_constant(double x) const {
-  Estimate sum = logarithmic_part(normal_, x) + local_part(tangential_, x);
+  Estimate sum;
+  if (!load_.normal.is_zero()) {
+    // The unit of length is arbitrary and goes into C; the width of the load keeps the logarithm of
+    // order one
+    sum = -material_.integral_compliance() * normal_.logarithmic(x, width_of(load_.normal));
+  }
   for (const LineForce& force : load_.forces) {
     const double logarithm = std::log(std::abs(distance_to_force(force, x)));
     sum.value -= material_.integral_compliance() * force.magnitude * logarithm;
   }
   return sum;
-}
-
-// −[2(1−ν²)/(πE)] ∫ t(s) ln|x − s| ds; the unit of length is arbitrary and goes into C, the width
-// of the traction keeps the logarithm of order one.
-Estimate SurfaceQuadrature::logarithmic_part(const KernelIntegrals& traction, double x) const {
-  if (traction.density().is_zero()) return {};
-  const auto& pieces = traction.density().pieces();
-  const double width = pieces.back().end - pieces.front().begin;
-  return -material_.integral_compliance() * traction.logarithmic(x, width);
-}
-
-// [(1−2ν)(1+ν)/(2E)] [∫_{s<x} t ds − ∫_{s>x} t ds]
-Estimate SurfaceQuadrature::local_part(const KernelIntegrals& traction, double x) const {
-  const Estimate difference = 2.0 * traction.integral_below(x) - traction.total();
-  return material_.local_compliance() / 2 * difference;
 }
 
 Estimate SurfaceQuadrature::normal_displacement_from_gradient(double x) const {
@@ -133,12 +119,7 @@ Estimate SurfaceQuadrature::integrate_gradient(double begin, double end) const {
     inner_error = std::max(inner_error, std::abs(weight) * gradient.abs_error);
     return weight * gradient.value;
   };
-  double scale = 0;
-  for (const auto* traction : {&load_.normal, &load_.tangential}) {
-    if (traction->is_zero()) continue;
-    const double width = traction->pieces().back().end - traction->pieces().front().begin;
-    scale += traction->scale() * width;
-  }
+  double scale = load_.normal.scale() * width_of(load_.normal);
   for (const LineForce& force : load_.forces) scale += std::abs(force.magnitude);
   const double abs_tolerance = 1e-12 * material_.integral_compliance() * scale;
   numerics::Quadrature quadrature;

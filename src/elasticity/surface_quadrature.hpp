@@ -22,29 +22,25 @@ class SurfaceQuadrature {
   /// `datum` is the x at which u_z = 0; the constant C of eq. (3) is found from it once, here.
   SurfaceQuadrature(const Material& material, const Load& load, double datum);
 
-  /// ∂u_z/∂x = −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds + [(1−2ν)(1+ν)/E] q(x), Johnson (2.25b).
-  /// This is eq. (2) of the paper.
+  /// ∂u_z/∂x = −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds, eq. (2) of the paper.
   numerics::Estimate normal_gradient(double x) const;
 
-  /// u_z(x) = −[2(1−ν²)/(πE)] ∫ p(s) ln|x−s| ds + [(1−2ν)(1+ν)/(2E)] [∫_{s<x} q − ∫_{s>x} q] + C,
-  /// Johnson (2.24b): the integral of eq. (2) with the order of integration exchanged.
+  /// u_z(x) = −[2(1−ν²)/(πE)] ∫ p(s) ln|x−s| ds + C: the integral of eq. (2) with the order of
+  /// integration exchanged.
   numerics::Estimate normal_displacement(double x) const;
 
   /// u_z(x) = ∫_datum^x (∂u_z/∂x) dx, with eq. (2) itself integrated numerically at each abscissa:
   /// an independent, slower way to the same number. No concentrated force may lie between.
   numerics::Estimate normal_displacement_from_gradient(double x) const;
 
-  /// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) − [2(1−ν²)/(πE)] PV∫ q(s)/(x−s) ds: Johnson (2.25a).
+  /// ∂u_x/∂x as elasticity::tangential_gradient, which takes no quadrature.
   numerics::Estimate tangential_gradient(double x) const;
 
-  /// u_x(x) = −[(1−2ν)(1+ν)/(2E)] [∫_{s<x} p − ∫_{s>x} p] − [2(1−ν²)/(πE)] ∫ q(s) ln|x−s| ds + C',
-  /// Johnson (2.24a); C' makes the part of the shear zero at the datum, and a normal load moves
-  /// both of its sides by as much.
+  /// u_x(x) = −[(1−2ν)(1+ν)/(2E)] [∫_{s<x} p − ∫_{s>x} p], Johnson (2.24a) with q = 0; both sides
+  /// of the load move by as much.
   numerics::Estimate tangential_displacement(double x) const;
 
  private:
-  numerics::Estimate logarithmic_part(const numerics::KernelIntegrals& traction, double x) const;
-  numerics::Estimate local_part(const numerics::KernelIntegrals& traction, double x) const;
   numerics::Estimate displacement_without_constant(double x) const;
   numerics::Estimate integrate_gradient(double begin, double end) const;
 
@@ -52,7 +48,6 @@ class SurfaceQuadrature {
   Load load_;
   double datum_;
   numerics::KernelIntegrals normal_;
-  numerics::KernelIntegrals tangential_;
   numerics::Estimate constant_;
 };
 

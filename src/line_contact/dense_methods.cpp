@@ -29,9 +29,8 @@ VectorXd influence_of(const Problem& problem) {
                     "more",
                     contact::max_dense_nodes, 8e-9 * static_cast<double>(n * n)));
   }
-  return VectorXd::NullaryExpr(n, [&](Index k) {
-    return influence_coefficient(problem.element, static_cast<double>(k));
-  });
+  return VectorXd::NullaryExpr(
+      n, [&](Index k) { return influence_coefficient(problem.element, static_cast<double>(k)); });
 }
 
 contact::Equations equations_of(const Problem& problem, double line_load,
@@ -75,8 +74,7 @@ Solution solve_by_variational_method(const Problem& problem, double line_load) {
       n, n, [&](Index i, Index j) { return -influence[std::abs(i - j)]; });
   const auto displace = [&](const VectorXd& phi, VectorXd& u) { u = compliance * phi; };
   const int max_products = 1000 + static_cast<int>(400 * std::sqrt(n));
-  return solution_of(problem, line_load,
-                     contact::minimise(equations, displace, 0, max_products));
+  return solution_of(problem, line_load, contact::minimise(equations, displace, 0, max_products));
 }
 
 }  // namespace line_contact

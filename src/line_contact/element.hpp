@@ -27,8 +27,8 @@ std::string_view name_of(Element element);
 /// at whole k up to 1e9, absolute 1e-15 between, where T has a zero.
 double influence_coefficient(Element element, double k);
 
-/// T(k+1) − T(k) for whole k ≥ 0. Accuracy: 1e-14 relative, where the subtraction would lose a digit
-/// for each digit of k.
+/// T(k+1) − T(k) for whole k ≥ 0. Accuracy: 1e-14 relative, where the subtraction would lose a
+/// digit for each digit of k.
 double influence_difference(Element element, Eigen::Index k);
 
 }  // namespace line_contact

@@ -39,9 +39,9 @@ class InfluenceOperator {
   std::vector<std::complex<double>> difference_spectrum_;  // of T(k+1) − T(k), over the size
 };
 
-/// The differences of the potential between neighbours of all n_nodes nodes of a grid, i = 0 … n_nodes−2, due to values
-/// φ on the nodes from `first` on.
-Eigen::VectorXd differences_over_grid(Element element, const Eigen::VectorXd& phi, Eigen::Index first,
-                                Eigen::Index n_nodes);
+/// The differences of the potential between neighbours of all n_nodes nodes of a grid, i = 0 …
+/// n_nodes−2, due to values φ on the nodes from `first` on.
+Eigen::VectorXd differences_over_grid(Element element, const Eigen::VectorXd& phi,
+                                      Eigen::Index first, Eigen::Index n_nodes);
 
 }  // namespace line_contact

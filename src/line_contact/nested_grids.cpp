@@ -124,8 +124,8 @@ class LevelSolver {
     const Index n = level.grid.n_nodes;
     const VectorXd rises =
         rises_of(problem_.profile, level.grid, 0, n) -
-        differences_over_grid(problem_.element, level.phi.segment(window.first, window.n), window.first,
-                        n);
+        differences_over_grid(problem_.element, level.phi.segment(window.first, window.n),
+                              window.first, n);
     ++level.work.products;
     Index start = 0;
     level.phi.maxCoeff(&start);

@@ -44,9 +44,9 @@ void require_valid(const Problem& problem) {
   const Profile& profile = problem.profile;
   require_n_nodes(grid.n_nodes);
   if (grid.x(0) < profile.begin() || grid.x(grid.n_nodes - 1) > profile.end()) {
-    throw sys::InvalidQuantity(
-        "domain", grid.width(),
-        fmt::format("within the profile's points, from {} to {}", profile.begin(), profile.end()));
+    throw sys::InvalidQuantity("domain", grid.width(),
+                               fmt::format("within the profile's points, from {:.6g} to {:.6g}",
+                                           profile.begin(), profile.end()));
   }
   double largest = 0;
   for (Eigen::Index i = 0; i < grid.n_nodes; ++i) {

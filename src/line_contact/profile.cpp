@@ -29,7 +29,7 @@ Profile Profile::tabulated(const std::vector<double>& x, const std::vector<doubl
     sys::require_finite("profile gap", gap[i]);
     if (i > 0 && !(x[i] > x[i - 1])) {
       throw sys::InvalidQuantity("profile x", x[i],
-                                 fmt::format("greater than the one before, {}", x[i - 1]));
+                                 fmt::format("greater than the one before, {:.6g}", x[i - 1]));
     }
   }
   const std::shared_ptr<gsl_spline> spline(gsl_spline_alloc(gsl_interp_steffen, x.size()),

@@ -62,11 +62,10 @@ void require_free_ends(const Solution& solution) {
   const bool at_begin = solution.pressure[0] > 0;
   if (!at_begin && !(solution.pressure[grid.n_nodes - 1] > 0)) return;
   const Profile& profile = solution.profile;
-  const std::string limit =
-      std::isfinite(profile.begin())
-          ? fmt::format(", and the profile is given from {:.6g} to {:.6g}", profile.begin(),
-                        profile.end())
-          : "";
+  const std::string limit = std::isfinite(profile.begin())
+                                ? fmt::format(", and the profile is given from {:.6g} to {:.6g}",
+                                              profile.begin(), profile.end())
+                                : "";
   throw sys::InvalidQuantity("domain", grid.width(),
                              fmt::format("wider: the contact reaches its end at x = {:.6g}{}",
                                          at_begin ? grid.begin() : grid.end(), limit));
@@ -166,8 +165,8 @@ elasticity::Stress stress_beneath(const Solution& solution, double x, double z) 
 }
 
 Solution to_solution(const Problem& problem, double line_load, NodalLoads loads) {
-  Solution solution{{problem}, pressure_per_phi(problem) * loads.phi, std::move(loads.gap),
-                    loads.work, {}};
+  Solution solution{
+      {problem}, pressure_per_phi(problem) * loads.phi, std::move(loads.gap), loads.work, {}};
   require_free_ends(solution);
   contact::require_resolved(solution.resolution());
   solution.residuals = contact::residuals_of_gaps(solution.pressure, solution.gap);

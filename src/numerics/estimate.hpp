@@ -9,13 +9,13 @@ namespace numerics {
 /// A computed number and a bound on how wrong it may be.
 ///
 /// `value` and `abs_error` share one unit; the true number is meant to lie in
-/// [value − abs_error, value + abs_error], `abs_error` ≥ 0. Every operation carries the errors of its
-/// operands, taken to be independent of one another, and adds a rounding of its own, ε|value| with
-/// ε = 2⁻⁵²: x − x has twice the error of x. A plain number has no error. Where an operation has no
-/// bound, as a quotient whose divisor may be zero, the bound is infinite.
+/// [value − abs_error, value + abs_error], `abs_error` ≥ 0. Every operation carries the errors of
+/// its operands, taken to be independent of one another, and adds a rounding of its own, ε|value|
+/// with ε = 2⁻⁵²: x − x has twice the error of x. A plain number has no error. Where an operation
+/// has no bound, as a quotient whose divisor may be zero, the bound is infinite.
 ///
-/// No operation relies on the order in which the compiler computes, so that bounds stay bounds where
-/// it is allowed to change it (-ffast-math).
+/// No operation relies on the order in which the compiler computes, so that bounds stay bounds
+/// where it is allowed to change it (-ffast-math).
 struct Estimate {
   double value = 0;
   double abs_error = 0;

@@ -24,12 +24,12 @@ struct Fit {
 
 /// Fits y = A c with equal weights: the c that minimise Σᵢ (yᵢ − Σⱼ Aᵢⱼ cⱼ)² (gsl_multifit_linear).
 ///
-/// The covariance is s² (AᵀA)⁻¹ with s² = Σ residual²/(n − p) from the scatter of the n observations
-/// about the p columns; without a degree of freedom it is infinite.
+/// The covariance is s² (AᵀA)⁻¹ with s² = Σ residual²/(n − p) from the scatter of the n
+/// observations about the p columns; without a degree of freedom it is infinite.
 ///
-/// A has a row for each observation and a column for each coefficient. Throws InvalidQuantity for no
-/// column, fewer rows than columns, another number of observations than rows, entries that are not
-/// finite, and columns that depend on one another to rounding.
+/// A has a row for each observation and a column for each coefficient. Throws InvalidQuantity for
+/// no column, fewer rows than columns, another number of observations than rows, entries that are
+/// not finite, and columns that depend on one another to rounding.
 Fit fit(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& observed);
 
 /// The same where each observation has a standard uncertainty uᵢ > 0: minimises Σᵢ (residualᵢ/uᵢ)²

@@ -5,17 +5,13 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
 namespace numerics {
 
-/// FFTW's planner, which makes and frees plans, is one for all threads: hold this meanwhile.
-std::mutex& fftw_planner();
-
 struct FreeFftwPlan {
-  void operator()(fftw_plan_s* plan) const;
+  void operator()(fftw_plan_s* plan) const { fftw_destroy_plan(plan); }
 };
 using FftwPlan = std::unique_ptr<fftw_plan_s, FreeFftwPlan>;
 
@@ -32,8 +28,7 @@ std::size_t convenient_fourier_size(std::size_t min_size);
 /// times n. Each overwrites the other's view. The n real numbers are transformed as n/2 complex
 /// ones (Press et al., Numerical Recipes, 12.3.2): FFTW plans these in half a millisecond, a real
 /// transform in 5 to 20, which is more than a small contact takes. Plans are estimated, not
-/// measured, so that a result is the same each time. Not for use by two threads at once, but
-/// each thread may have its own.
+/// measured, so that a result is the same each time. FFTW's planner is not for two threads.
 class RealFourier {
  public:
   /// A transform of the least convenient length n ≥ min_size: even, with few and small odd primes.
@@ -73,8 +68,7 @@ class ComplexBuffer {
 /// The discrete Fourier transform of complex numbers by FFTW, in place.
 ///
 /// forward():  Z_k = Σ_j z_j exp(−2πi jk/n), k = 0 … n−1;  backward() is its inverse times n. Plans
-/// are estimated, not measured, so that a result is the same each time. Several threads may use one
-/// object at once, each with its own buffer.
+/// are estimated, not measured, so that a result is the same each time.
 class ComplexFourier {
  public:
   explicit ComplexFourier(std::size_t size);

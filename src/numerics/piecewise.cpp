@@ -52,8 +52,8 @@ struct Sample {
 using Samples = std::vector<Sample>;
 
 // Values of a piece at n places between begin and end, one in each of n equal cells. Where in its
-// cell is different each time (the fractions of multiples of the golden ratio), so that no wave fits
-// between.
+// cell is different each time (the fractions of multiples of the golden ratio), so that no wave
+// fits between.
 Samples probes_between(const Piece& piece, double begin, double end, std::size_t n) {
   Samples probes;
   probes.reserve(n);
@@ -77,8 +77,8 @@ class Interpolant {
   Interpolant(const Piece& piece, double begin, double end, Variable variable, std::size_t n)
       : begin_(begin), length_(end - begin), variable_(variable) {
     for (std::size_t k = 0; k < n; ++k) {
-      const double v = -std::cos(std::numbers::pi * static_cast<double>(k) /
-                                 static_cast<double>(n - 1));
+      const double v =
+          -std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(n - 1));
       const double share = variable == Variable::place
                                ? (1 + v) / 2
                                : std::pow(std::sin(std::numbers::pi * (1 + v) / 4), 2);
@@ -119,8 +119,8 @@ class Resolver {
     if (is_resolved(begin, end, probes)) return keep(begin, end);
     const double middle = begin + (end - begin) / 2;
     if (depth == most_halvings) return cut_at_kink(begin, end);
-    const auto split = std::ranges::find_if(
-        probes, [middle](const Sample& probe) { return probe.at >= middle; });
+    const auto split =
+        std::ranges::find_if(probes, [middle](const Sample& probe) { return probe.at >= middle; });
     const auto n_before = static_cast<std::size_t>(split - probes.begin());
     cut(begin, middle, probes.first(n_before), depth + 1);
     cut(middle, end, probes.subspan(n_before), depth + 1);
@@ -129,9 +129,9 @@ class Resolver {
  private:
   static constexpr int most_halvings = 8;
 
-  // What is not resolved by then has a kink or a jump, down to which it is cut: QUADPACK's estimates
-  // may be too small across one. Not at the ends, where rules that extrapolate take a root better as
-  // a whole, and not if there are many, as of noise.
+  // What is not resolved by then has a kink or a jump, down to which it is cut: QUADPACK's
+  // estimates may be too small across one. Not at the ends, where rules that extrapolate take a
+  // root better as a whole, and not if there are many, as of noise.
   void cut_at_kink(double begin, double end) {
     if (begin == piece_.begin || end == piece_.end || n_kinks_ == most_kinks) {
       return keep(begin, end);
@@ -182,8 +182,7 @@ PiecewiseFunction resolved(const PiecewiseFunction& function) {
   std::vector<Samples> probes;
   double scale = function.scale();
   for (const Piece& piece : function.pieces()) {
-    const std::size_t n =
-        std::clamp<std::size_t>(most_probes / function.pieces().size(), 64, 4096);
+    const std::size_t n = std::clamp<std::size_t>(most_probes / function.pieces().size(), 64, 4096);
     probes.push_back(probes_between(piece, piece.begin, piece.end, n));
     for (const Sample& probe : probes.back()) scale = std::max(scale, std::abs(probe.value));
   }

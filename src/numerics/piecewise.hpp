@@ -43,11 +43,11 @@ class PiecewiseFunction {
 /// The same function with pieces cut until each is nearly a polynomial, so that a quadrature that
 /// samples every piece cannot miss a narrow feature between its samples.
 ///
-/// Each piece is probed at 4096 places, spread evenly but for a part that varies (fewer if there are
-/// many pieces, 65536 in all). It is cut in halves where a polynomial through 13 Chebyshev points, or
-/// one of 25 in the angle that turns roots at the ends into sines, misses a probe by more than 1e-12
-/// of the greatest value. A part of 1/256 that still is not met has a kink, to which it is cut down.
-/// A feature narrower than the distance of two probes may be missed.
+/// Each piece is probed at 4096 places, spread evenly but for a part that varies (fewer if there
+/// are many pieces, 65536 in all). It is cut in halves where a polynomial through 13 Chebyshev
+/// points, or one of 25 in the angle that turns roots at the ends into sines, misses a probe by
+/// more than 1e-12 of the greatest value. A part of 1/256 that still is not met has a kink, to
+/// which it is cut down. A feature narrower than the distance of two probes may be missed.
 PiecewiseFunction resolved(const PiecewiseFunction& function);
 
 }  // namespace numerics

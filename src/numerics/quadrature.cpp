@@ -15,8 +15,7 @@ Quadrature::Quadrature(std::size_t max_intervals)
       gsl_set_error_handler_off();  // once: not thread-safe
 }
 
-Estimate Quadrature::run(Rule rule, gsl_function* f, const Interval& interval,
-                         IntegralName name) {
+Estimate Quadrature::run(Rule rule, gsl_function* f, const Interval& interval, IntegralName name) {
   const auto [a, b, abs_tolerance, parameter] = interval;
   Estimate result;
   auto& [value, abs_error] = result;
@@ -45,10 +44,9 @@ Estimate Quadrature::run(Rule rule, gsl_function* f, const Interval& interval,
   if (is_finite && (status == GSL_SUCCESS || abs_error <= too_far_off * abs_tolerance)) {
     return result;
   }
-  throw QuadratureError(
-      fmt::format("{} over [{}, {}] at x = {}: {} (reached {} ± {})", name.what, a, b, name.at,
-                  is_finite ? gsl_strerror(status) : "the integrand is not finite", value,
-                  abs_error));
+  throw QuadratureError(fmt::format(
+      "{} over [{}, {}] at x = {}: {} (reached {} ± {})", name.what, a, b, name.at,
+      is_finite ? gsl_strerror(status) : "the integrand is not finite", value, abs_error));
 }
 
 }  // namespace numerics

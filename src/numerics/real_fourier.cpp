@@ -33,7 +33,6 @@ RealFourier::RealFourier(std::size_t min_size)
   }
   auto* z = reinterpret_cast<fftw_complex*>(buffer_.get());
   const int n = static_cast<int>(size_ / 2);
-  const std::scoped_lock lock(fftw_planner());
   forward_.reset(fftw_plan_dft_1d(n, z, z, FFTW_FORWARD, FFTW_ESTIMATE));
   backward_.reset(fftw_plan_dft_1d(n, z, z, FFTW_BACKWARD, FFTW_ESTIMATE));
 }
@@ -75,16 +74,6 @@ void RealFourier::backward() {
     x[m - k] = std::conj(even + turned);
   }
   fftw_execute(backward_.get());
-}
-
-std::mutex& fftw_planner() {
-  static std::mutex planner;
-  return planner;
-}
-
-void FreeFftwPlan::operator()(fftw_plan_s* plan) const {
-  const std::scoped_lock lock(fftw_planner());
-  fftw_destroy_plan(plan);
 }
 
 std::size_t convenient_fourier_size(std::size_t min_size) {

@@ -114,7 +114,7 @@ double FallingPressure::largest_shear() const {
 }
 
 elasticity::Load FallingPressure::load() const {
-  return elasticity::distributed_load([*this](double x) { return pressure(x); }, {},
+  return elasticity::distributed_load([*this](double x) { return pressure(x); },
                                       {-half_width_, 0, half_width_});
 }
 

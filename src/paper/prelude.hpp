@@ -9,7 +9,7 @@
 #include "config/units.hpp"
 #include "line_contact/cylinders.hpp"
 #include "literate/document/document.hpp"
-#include "numerics/estimate_algebra.hpp"
+#include "numerics/estimate.hpp"
 #include "parameters/case.hpp"
 #include "parameters/printed_number.hpp"
 

@@ -273,10 +273,8 @@ Estimate named(const std::vector<MeasureEstimate>& measures, const std::string& 
 void tabulate_measures(Document& document, const Case& from, const BlockStudy& study,
                        const RefinedSolution& under_inferred) {
   const PrintedData& printed = *from.printed_data;
-  block::MeasureOptions options;
-  options.plotting_grid = 20;  // twice that of the run, whose elements are larger
-  const auto stated = study.under_triangle().measures(options);
-  const auto inferred = under_inferred.measures(options);
+  const auto stated = study.under_triangle().measures();
+  const auto inferred = under_inferred.measures();
   const char* const group = "deviation from the printed value";
   literate::Table table("appendix2", {Column::text("measure"), Column::text("printed value"),
                                       Column("convergence (\\%)", fixed(1)).exact(),

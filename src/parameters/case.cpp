@@ -150,10 +150,19 @@ block::Support read_sides(const config::Table& table) {
   table.fail("sides", fmt::format("\"{}\": must be clamped, roller or free", sides));
 }
 
-BlockCase read_block(const config::Table& table, const HalfSpaceCase& half_space,
-                     const config::UnitSystem& units) {
+BlockCase read_block(const config::Table& table, const config::UnitSystem& units) {
   const block::Rectangle rectangle(positive(table, "width", config::Dimension::length, units),
                                    positive(table, "height", config::Dimension::length, units));
+  block::Discretization discretization;
+  discretization.order = static_cast<int>(integer_in(table, "order", 4, 10));
+  discretization.refine = static_cast<int>(integer_in(table, "refine", 1, 4));
+  return {rectangle, read_sides(table),
+          positive(table, "density", config::Dimension::density, units), discretization};
+}
+
+// The block must hold the load and the points of the half-space that it is compared with.
+void require_suitable(const config::Table& table, const block::Rectangle& rectangle,
+                      const HalfSpaceCase& half_space, const config::UnitSystem& units) {
   if (half_space.load.half_width() >= rectangle.right()) {
     table.fail("width",
                fmt::format("{0} {1}: must be greater than {2:.6g} {1}, twice "
@@ -175,11 +184,15 @@ BlockCase read_block(const config::Table& table, const HalfSpaceCase& half_space
                            "half_space.points",
                            rectangle.width(), units.length, 2 * half_space.farthest_point()));
   }
-  block::Discretization discretization;
-  discretization.order = static_cast<int>(integer_in(table, "order", 2, 10));
-  discretization.refine = static_cast<int>(integer_in(table, "refine", 0, 6));
-  return {rectangle, read_sides(table),
-          positive(table, "density", config::Dimension::density, units), discretization};
+}
+
+// Returns what `read` makes of a table, of which it must ask for every key.
+template <class Read>
+auto whole(const CaseFile& file, const char* key, Read read) {
+  const config::Table table = file.root().table(key);
+  auto result = read(table, file.units());
+  table.reject_unknown_keys();
+  return result;
 }
 
 }  // namespace
@@ -193,47 +206,38 @@ CaseFile::CaseFile(const std::filesystem::path& file)
       units_(root_.at("units", [&] { return config::unit_system(root_.text("units")); })) {}
 
 HalfSpaceCase CaseFile::half_space() const {
-  const config::Table table = root_.table("half_space");
-  const HalfSpaceCase half_space = read_half_space(table, units_);
-  table.reject_unknown_keys();
-  return half_space;
+  return whole(*this, "half_space", &read_half_space);
 }
 
 ContactCase CaseFile::contact() const {
-  const config::Table table = root_.table("contact");
-  const ContactCase contact = read_contact(table, units_);
-  table.reject_unknown_keys();
-  return contact;
+  return whole(*this, "contact", &read_contact);
+}
+
+PointContactCase CaseFile::point_contact() const {
+  return whole(*this, "point_contact", [](const auto& table, const auto& units) {
+    return PointContactCase{positive(table, "load", config::Dimension::force, units)};
+  });
 }
 
 BlockCase CaseFile::block() const {
-  const config::Table table = root_.table("block");
-  const BlockCase block = read_block(table, half_space(), units_);
-  table.reject_unknown_keys();
-  return block;
+  return whole(*this, "block", &read_block);
 }
 
-Case read_case(const std::filesystem::path& file) {
-  const config::Table root = config::Table::parse_file(file);
-  const std::string title = root.text("title");
-  if (title.find_first_not_of(' ') == std::string::npos) {
+Case read_case(const std::filesystem::path& path) {
+  const CaseFile file(path);
+  const config::Table& root = file.root();
+  Case c{path, root.text("title"), file.units(), file.half_space(), file.contact(), {}, {}, {}};
+  if (c.title.find_first_not_of(' ') == std::string::npos) {
     root.fail("title", "must name the case, not be empty");
   }
-  const config::UnitSystem units =
-      root.at("units", [&] { return config::unit_system(root.text("units")); });
-  const HalfSpaceCase half_space = read_half_space(root.table("half_space"), units);
-  const ContactCase contact = read_contact(root.table("contact"), units);
-  std::optional<PointContactCase> point_contact;
-  if (root.has("point_contact")) {
-    const config::Table table = root.table("point_contact");
-    point_contact = {positive(table, "load", config::Dimension::force, units)};
+  if (root.has("point_contact")) c.point_contact = file.point_contact();
+  if (root.has("block")) {
+    c.block = file.block();
+    require_suitable(root.table("block"), c.block->rectangle, c.half_space, file.units());
   }
-  std::optional<BlockCase> block;
-  if (root.has("block")) block = read_block(root.table("block"), half_space, units);
-  std::optional<config::Table> printed;
-  if (root.has("printed")) printed = root.table("printed");
+  if (root.has("printed")) c.printed = root.table("printed");
   root.reject_unknown_keys({"printed"});
-  return {file, title, units, half_space, contact, point_contact, block, printed};
+  return c;
 }
 
 }  // namespace parameters

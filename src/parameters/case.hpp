@@ -57,6 +57,28 @@ struct BlockCase {
   block::Discretization discretization;
 };
 
+/// A case file (TOML), of which a reader takes the tables that it needs.
+///
+/// Every quantity carries its unit and is converted to the case's system. Each member throws
+/// config::Error naming file, line, column, key, value and what is allowed, also for a table that
+/// is missing and for a key in it that is unknown.
+class CaseFile {
+ public:
+  explicit CaseFile(const std::filesystem::path& file);
+
+  const config::Table& root() const { return root_; }
+  const config::UnitSystem& units() const { return units_; }
+
+  HalfSpaceCase half_space() const;
+  ContactCase contact() const;
+  PointContactCase point_contact() const;
+  BlockCase block() const;
+
+ private:
+  config::Table root_;
+  config::UnitSystem units_;
+};
+
 /// A case: the bodies, their loads and where they are looked at.
 struct Case {
   std::filesystem::path file;
@@ -69,25 +91,8 @@ struct Case {
   std::optional<config::Table> printed;  ///< [printed], left to the reader who knows the paper
 };
 
-/// Reads a case file (TOML). Every quantity carries its unit and is converted to the case's system.
-/// The table [printed] is not looked into. Throws config::Error naming file, line, column, key,
-/// value and what is allowed.
+/// Reads a whole case file, with a title, whose block must suit its half-space. The table [printed]
+/// is not looked into. Throws config::Error as CaseFile.
 Case read_case(const std::filesystem::path& file);
-
-/// A case file of which a command needs one table: the others may be missing, and each is read when
-/// it is asked for. Errors as those of read_case(); an unknown key counts in what is read.
-class CaseFile {
- public:
-  explicit CaseFile(const std::filesystem::path& file);
-
-  const config::UnitSystem& units() const { return units_; }
-  HalfSpaceCase half_space() const;
-  ContactCase contact() const;
-  BlockCase block() const;  ///< needs [half_space] too
-
- private:
-  config::Table root_;
-  config::UnitSystem units_;
-};
 
 }  // namespace parameters

@@ -54,7 +54,7 @@ inline elasticity::Load load_of(double shape, double unit_pressure, double half_
   const auto pressure = [=](double s) {
     return assignment::pressure(shape, unit_pressure, half_width, s);
   };
-  return elasticity::distributed_load(pressure, {}, {-half_width, 0, half_width});
+  return elasticity::distributed_load(pressure, {-half_width, 0, half_width});
 }
 
 inline Numbers quadrature(const Numbers& in) {

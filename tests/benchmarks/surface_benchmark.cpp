@@ -56,7 +56,7 @@ elasticity::Load counted(const std::shared_ptr<long>& n_evaluations) {
                         return piece.value(s);
                       }});
   }
-  return {numerics::PiecewiseFunction(pieces), {}, {}};
+  return {numerics::PiecewiseFunction(pieces)};
 }
 
 // Times a member of SurfaceQuadrature and, apart from that, counts its evaluations of the load.

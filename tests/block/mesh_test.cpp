@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "block/discretization.hpp"
+#include "block/lobatto_basis.hpp"
 #include "elasticity/load_shapes.hpp"
-#include "system/require.hpp"
 
 BOOST_AUTO_TEST_SUITE(mesh_test)
 
@@ -26,71 +26,57 @@ BOOST_AUTO_TEST_CASE(graded_lines_reach_the_smallest_size_and_grow_by_the_ratio_
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_kink_of_every_load_is_a_line_of_the_mesh) {
-  const block::Rectangle rectangle(2, 1);
+BOOST_AUTO_TEST_CASE(every_kink_of_every_load_is_a_line_of_the_mesh_but_no_kink_twice) {
   const auto flat =
-      elasticity::distributed_load([](double) { return 3.0; }, nullptr, {-0.1, -0.06, 0.06, 0.1});
-  const auto triangle = elasticity::LinearFall(3, 0, 0.1);
-
-  const block::Mesh mesh = block::graded_mesh(rectangle, {flat, triangle}, {});
-
-  for (const double kink : {-1.0, -0.1, -0.06, 0.0, 0.06, 0.1, 1.0}) {
-    BOOST_TEST(std::count(mesh.x_lines().begin(), mesh.x_lines().end(), kink) == 1);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(kinks_that_rounding_set_apart_are_one) {
-  const double next = std::nextafter(0.1, 1);
-  const auto one = elasticity::LinearFall(3, 0, 0.1);
-  const auto other = elasticity::LinearFall(3, 0, next);
+      elasticity::distributed_load([](double) { return 3.0; }, {-0.1, -0.06, 0.06, 0.1});
+  const auto wider = elasticity::LinearFall(3, 0, std::nextafter(0.1, 1));
   const auto whole = elasticity::LinearFall(3, 0, std::nextafter(1.0, 0));
 
-  BOOST_TEST(block::kinks_of({one, other}).size() == 3U);
-  const block::Mesh mesh = block::graded_mesh({2, 1}, {one, other, whole}, {});
-  for (std::size_t i = 1; i < mesh.x_lines().size(); ++i) {
-    BOOST_TEST(mesh.x_lines()[i] - mesh.x_lines()[i - 1] > 1e-4);
-  }
-  BOOST_TEST(mesh.x_lines().front() == -1.0);
-  BOOST_TEST(mesh.x_lines().back() == 1.0);
-}
-
-BOOST_AUTO_TEST_CASE(each_level_of_refinement_adds_elements) {
-  const auto load = elasticity::LinearFall(3, 0.6, 0.1);
+  BOOST_TEST(block::kinks_of({flat, wider}).size() == 5U);
   block::Index last = 0;
-
-  for (int refine = 0; refine <= 6; ++refine) {
-    const auto mesh = block::graded_mesh({2, 1}, {load}, {.order = 2, .refine = refine});
+  for (int refine = 1; refine <= 4; ++refine) {
+    const auto mesh = block::graded_mesh({2, 1}, {flat, wider, whole}, {4, refine});
+    const std::vector<double>& lines = mesh.x_lines();
+    for (const double kink : {-1.0, -0.1, -0.06, 0.0, 0.06, 0.1, 1.0}) {
+      const auto is_there = [kink](double line) { return std::abs(line - kink) < 1e-15; };
+      BOOST_TEST(std::count_if(lines.begin(), lines.end(), is_there) == 1);
+    }
+    for (std::size_t i = 1; i < lines.size(); ++i) BOOST_TEST(lines[i] - lines[i - 1] > 1e-5);
     BOOST_TEST(mesh.n_elements() > last);
     last = mesh.n_elements();
   }
 }
 
-BOOST_AUTO_TEST_CASE(locate_finds_the_element_of_every_node) {
-  const block::Mesh mesh(3, {-1, -0.25, 0.5, 2}, {0, 0.125, 1});
-
-  for (block::Index e = 0; e < mesh.n_elements(); ++e) {
-    const block::Element element = mesh.element(e);
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 3; ++i) {
-        const Eigen::Vector2d position = mesh.position(mesh.node(element, i, j));
-        const block::LocalPoint local = mesh.locate(position.x(), position.y());
-        BOOST_TEST(local.element == e);
-        BOOST_TEST(std::abs(element.x0 + element.width() * (1 + local.xi) / 2 - position.x()) <
-                   1e-15);
-      }
+BOOST_AUTO_TEST_CASE(rules_and_basis_are_exact_for_polynomials) {
+  const auto power = [](double x, int n) { return n == 0 ? 1 : std::pow(x, n); };
+  for (int order = 1; order <= 12; ++order) {
+    const block::GaussRule rule = block::gauss_rule(order);
+    for (int degree = 0; degree <= 2 * order - 1; ++degree) {
+      double sum = 0;
+      for (int i = 0; i < order; ++i) sum += rule.weights[i] * power(rule.points[i], degree);
+      BOOST_TEST(std::abs(sum - (degree % 2 == 0 ? 2.0 / (degree + 1) : 0)) < 1e-13);
     }
+
+    const block::LobattoBasis basis(order);
+    BOOST_TEST(basis.nodes()[0] == -1);
+    BOOST_TEST(basis.nodes()[order] == 1);
+    const Eigen::VectorXd nodal =
+        basis.nodes().unaryExpr([&](double x) { return power(x, order); });
+    for (const double xi : {-1.0, -0.7317, 0.0, 0.2385, 1.0}) {
+      BOOST_TEST(std::abs(basis.values(xi).dot(nodal) - power(xi, order)) < 1e-13);
+      const auto derivatives = basis.derivatives_at(Eigen::VectorXd::Constant(1, xi));
+      BOOST_TEST(std::abs(derivatives.row(0).dot(nodal) - order * power(xi, order - 1)) < 1e-11);
+    }
+
+    // ∫ (N_i N_j)′ dξ is N_i N_j at the ends, and Lobatto's rule has 2/(p(p + 1)) there
+    const auto [mass, stiffness, slope] = basis.integrals();
+    Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(order + 1, order + 1);
+    ends(0, 0) = -1;
+    ends(order, order) = 1;
+    BOOST_TEST((slope + slope.transpose() - ends).cwiseAbs().maxCoeff() < 1e-13);
+    BOOST_TEST(std::abs(mass.row(0).sum() - 2.0 / (order * (order + 1))) < 1e-13);
+    BOOST_TEST(stiffness.rowwise().sum().cwiseAbs().maxCoeff() < 1e-11);
   }
-}
-
-BOOST_AUTO_TEST_CASE(points_outside_and_lines_out_of_order_are_refused) {
-  const block::Mesh mesh(2, {-1, 1}, {0, 1});
-
-  BOOST_CHECK_THROW(mesh.locate(1.0001, 0.5), sys::InvalidQuantity);
-  BOOST_CHECK_THROW(mesh.locate(0, -0.0001), sys::InvalidQuantity);
-  BOOST_CHECK_THROW(mesh.locate(std::nan(""), 0), sys::InvalidQuantity);
-  BOOST_CHECK_THROW(block::Mesh(0, {-1, 1}, {0, 1}), sys::InvalidQuantity);
-  BOOST_CHECK_THROW(block::Mesh(2, {-1}, {0, 1}), sys::InvalidQuantity);
-  BOOST_CHECK_THROW(block::Mesh(2, {-1, 1}, {0, 1, 1}), sys::InvalidQuantity);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

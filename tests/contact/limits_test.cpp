@@ -16,10 +16,16 @@ using contact::resolution_warning;
 
 BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_refused_with_nodes_and_domain_that_would_do) {
   check_refused({
-      {"number of nodes in contact = 4: must be 8 or more: take at least 500 nodes in place of 100, "
+      {"number of nodes in contact = 4: must be 8 or more: take at least 500 nodes in place of "
+       "100, "
        "or a domain of 0.4 or less",
-       [] { require_resolved({4, 4, 100, 2}); }},
-      {"number of nodes in contact = 0", [] { require_resolved({0, 0, 100, 2}); }},
+       [] {
+         require_resolved({4, 4, 100, 2});
+       }},
+      {"number of nodes in contact = 0",
+       [] {
+         require_resolved({0, 0, 100, 2});
+       }},
       {"tolerance = 1e-14: must be from 1e-13, which is rounding, to 0.01",
        [] { require_tolerance(1e-14, 1e-13); }},
       {"tolerance = nan", [] { require_tolerance(NAN, 1e-13); }},

@@ -76,8 +76,9 @@ BOOST_AUTO_TEST_CASE(both_methods_find_the_same_though_one_never_looks_for_the_c
 }
 
 BOOST_AUTO_TEST_CASE(a_minimum_out_of_reach_is_an_error_that_says_after_how_many_products) {
-  BOOST_TEST(message_of<contact::ContactError>([] { minimised(parabola(1.385), 4); }) ==
-             "the computation failed: the variational method did not reach its minimum in 4 products");
+  BOOST_TEST(
+      message_of<contact::ContactError>([] { minimised(parabola(1.385), 4); }) ==
+      "the computation failed: the variational method did not reach its minimum in 4 products");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

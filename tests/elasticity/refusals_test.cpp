@@ -51,17 +51,38 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_by_name) {
       {"off the edge", [&] { normal_gradient(steel, UniformLoad(1, 2.385), -2.385); }},
       {"off the concentrated force", [&] { normal_gradient(steel, ConcentratedLoad(1), 0); }},
       {"datum", [&] { normal_displacement(steel, ConcentratedLoad(1), 1, 0); }},
-      {"breakpoints = 1", [&] { distributed_load(constant, nullptr, {1}); }},
-      {"end of a piece", [&] { distributed_load(constant, nullptr, {0, 1, 0.5}); }},
-      {"value of a piece", [&] { distributed_load(punch, nullptr, {-1, 1}); }},
-      {"nodes = 1", [&] { stress_beneath({nodes.data(), 1}, {pressures.data(), 1}, 0, 1); }},
-      {"nodes = 3", [&] { stress_beneath(nodes, {pressures.data(), 2}, 0, 1); }},
-      {"node", [&] { stress_beneath(std::array{0.0, 0.0}, std::array{1.0, 1.0}, 0, 1); }},
-      {"pressure", [&] { stress_beneath(std::array{0.0, 1.0}, std::array{1.0, infinity}, 0, 1); }},
+      {"breakpoints = 1", [&] { distributed_load(constant, {1}); }},
+      {"end of a piece",
+       [&] {
+         distributed_load(constant, {0, 1, 0.5});
+       }},
+      {"value of a piece",
+       [&] {
+         distributed_load(punch, {-1, 1});
+       }},
+      {"nodes = 1",
+       [&] {
+         stress_beneath({nodes.data(), 1}, {pressures.data(), 1}, 0, 1);
+       }},
+      {"nodes = 3",
+       [&] {
+         stress_beneath(nodes, {pressures.data(), 2}, 0, 1);
+       }},
+      {"node",
+       [&] {
+         stress_beneath(std::array{0.0, 0.0}, std::array{1.0, 1.0}, 0, 1);
+       }},
+      {"pressure",
+       [&] {
+         stress_beneath(std::array{0.0, 1.0}, std::array{1.0, infinity}, 0, 1);
+       }},
       {"z = -1", [&] { stress_beneath(nodes, pressures, 0, -1); }},
       {"x = nan", [&] { stress_beneath(nodes, pressures, NAN, 1); }},
       {"off the jump", [&] { stress_beneath(nodes, pressures, 2, 0); }},
-      {"poisson = 0.6", [] { elasticity::Stress{1, 2, 3}.von_mises(0.6); }},
+      {"poisson = 0.6",
+       [] {
+         elasticity::Stress{1, 2, 3}.von_mises(0.6);
+       }},
       {"datum", [&] { SurfaceQuadrature(steel, triangle, infinity); }},
       {"off the concentrated force", [&] { SurfaceQuadrature(steel, ConcentratedLoad(1), 0); }},
       {"x", [&] { under_triangle.normal_gradient(NAN); }},

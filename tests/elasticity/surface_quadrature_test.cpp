@@ -102,30 +102,10 @@ BOOST_AUTO_TEST_CASE(an_elliptic_pressure_makes_a_parabola_under_itself) {
   const double p0 = 830;
   const double a = 0.125;
   const auto pressure = [=](double s) { return p0 * std::sqrt((1 - s / a) * (1 + s / a)); };
-  const SurfaceQuadrature surface(steel, elasticity::distributed_load(pressure, nullptr, {-a, a}),
-                                  10);
+  const SurfaceQuadrature surface(steel, elasticity::distributed_load(pressure, {-a, a}), 10);
   const double unit = steel.integral_compliance() * p0;
   for (const double x : {-0.1, -0.0123, 0.0, 0.004, 0.07, 0.1249}) {
     check(surface.normal_gradient(x), -unit * pi * x / a, unit, x);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(friction_adds_its_local_term_to_the_gradient) {
-  // Sliding: q = μp. The normal gradient gains (1−2ν)(1+ν)q/E and u_x the Cauchy integral of q.
-  const Material rubber(5, 0.4);
-  const double mu = 0.3;
-  const auto pressure = [](double s) { return 2 - s * s; };
-  const auto shear = [&](double s) { return mu * pressure(s); };
-  const std::vector<double> ends = {-1, 1};
-  const SurfaceQuadrature with(rubber, elasticity::distributed_load(pressure, shear, ends), 10);
-  const SurfaceQuadrature without(rubber, elasticity::distributed_load(pressure, nullptr, ends),
-                                  10);
-  for (const double x : {-0.7, 0.1, 0.93}) {
-    const double gain = with.normal_gradient(x).value - without.normal_gradient(x).value;
-    const double stretch = with.tangential_gradient(x).value - without.tangential_gradient(x).value;
-    BOOST_TEST(tolerance::relative_difference(gain, rubber.local_compliance() * shear(x)) < 1e-12);
-    BOOST_TEST(tolerance::relative_difference(stretch, mu * without.normal_gradient(x).value) <
-               1e-12);
   }
 }
 
@@ -138,7 +118,7 @@ BOOST_AUTO_TEST_CASE(tangential_displacement_of_a_triangle_agrees_with_its_close
   for (int i = 0; i < 200; ++i) {
     const double x = 0.01 * random.point(1e3);
     check(surface.tangential_displacement(x), tangential_displacement(steel, load, x), unit, x);
-    check(surface.tangential_gradient(x), tangential_gradient(steel, load, x), unit / 0.01, x);
+    BOOST_TEST(surface.tangential_gradient(x).value == tangential_gradient(steel, load, x));
   }
 }
 
@@ -155,25 +135,6 @@ BOOST_AUTO_TEST_CASE(a_concentrated_force_agrees_with_its_closed_form) {
   }
   check(surface.normal_displacement_from_gradient(0.3), normal_displacement(steel, load, 0.3, 10),
         unit, 0.3);
-}
-
-BOOST_AUTO_TEST_CASE(a_shear_moves_the_surface_along_as_a_pressure_of_its_shape_moves_it_down) {
-  // Johnson (2.24): q enters u_x as p enters u_z, and both are zero at the datum.
-  RandomInputs random(37);
-  const Material steel(30e6, 0.3);
-  const TriangularLoad triangle(1000, 0.01);
-  Load shear;
-  shear.tangential = Load(triangle).normal;
-  const double unit = steel.integral_compliance() * triangle.line_load();
-  for (const double datum : {10.0, 0.02}) {
-    const SurfaceQuadrature surface(steel, shear, datum);
-    for (int i = 0; i < 100; ++i) {
-      const double x = 0.01 * random.point(1e3);
-      check(surface.tangential_displacement(x), normal_displacement(steel, triangle, x, datum),
-            unit, x);
-      check(surface.tangential_gradient(x), normal_gradient(steel, triangle, x), unit / 0.01, x);
-    }
-  }
 }
 
 namespace {
@@ -240,8 +201,8 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_load_with_a_narrow_feature_holds) {
     const auto pressure = [&](double s) {
       return 0.5 + n.amplitude * n.shape((s - n.centre) / n.width);
     };
-    const SurfaceQuadrature surface(Material(1, 0),
-                                    elasticity::distributed_load(pressure, nullptr, {-1, 1}), 10);
+    const SurfaceQuadrature surface(Material(1, 0), elasticity::distributed_load(pressure, {-1, 1}),
+                                    10);
     check(surface.normal_gradient(n.x), n.gradient, 1, n.x);
     check(surface.normal_displacement(n.x), n.displacement, 1, n.x);
   }

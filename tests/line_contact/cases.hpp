@@ -21,14 +21,15 @@ inline constexpr double load = 3.461;
 inline constexpr double curvature = 0.571;
 
 // E* of two alike bodies of E = 2(1 − 0.09)E*, one of them flat.
-inline const line_contact::CylinderPair cylinders(
-    elasticity::Material(2 * 0.91 * modulus, 0.3),
-    line_contact::Radius::of_cylinder("radius1", 1 / curvature),
-    elasticity::Material(2 * 0.91 * modulus, 0.3), line_contact::Radius::of_plane());
+inline const line_contact::CylinderPair cylinders(elasticity::Material(2 * 0.91 * modulus, 0.3),
+                                                  line_contact::Radius::of_cylinder("radius1",
+                                                                                    1 / curvature),
+                                                  elasticity::Material(2 * 0.91 * modulus, 0.3),
+                                                  line_contact::Radius::of_plane());
 inline const line_contact::Hertz hertz(cylinders, load);
 
-// A parabola with waves on it, its lowest point aside, known at 120 points from −0.4 to 0.5: contact
-// in several regions.
+// A parabola with waves on it, its lowest point aside, known at 120 points from −0.4 to 0.5:
+// contact in several regions.
 inline Profile wavy_profile() {
   std::vector<double> x, gap;
   for (int i = 0; i < 120; ++i) {

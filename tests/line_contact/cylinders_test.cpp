@@ -37,10 +37,10 @@ const double p0 = hertz.peak_pressure();
 
 // Both bodies under Hertz's pressure, by quadrature.
 struct Bodies {
-  explicit Bodies(double datum) : body1(steel, pressure(), datum), body2(rubber, pressure(), datum) {}
+  explicit Bodies(double datum)
+      : body1(steel, pressure(), datum), body2(rubber, pressure(), datum) {}
   static elasticity::Load pressure() {
-    return elasticity::distributed_load([](double x) { return hertz.pressure(x); }, nullptr,
-                                        {-a, a});
+    return elasticity::distributed_load([](double x) { return hertz.pressure(x); }, {-a, a});
   }
   double slope(double x) const {
     return body1.normal_gradient(x).value + body2.normal_gradient(x).value;

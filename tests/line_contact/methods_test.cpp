@@ -146,7 +146,8 @@ BOOST_AUTO_TEST_CASE(pressures_converge_to_hertz_inside_with_order_two) {
     Fit inside, peak;
     for (int power = 10; power <= 13; ++power) {
       for (const int odd : {16, 19, 23, 27}) {
-        const Solution s = solve_by_fft(cylinders_on((odd << power) / 16 + 1, element), load, 1e-11);
+        const Solution s =
+            solve_by_fft(cylinders_on((odd << power) / 16 + 1, element), load, 1e-11);
         inside.add(s.grid.spacing, error_inside(s));
         peak.add(s.grid.spacing, std::abs(s.peak_pressure() / hertz.peak_pressure() - 1));
       }

@@ -27,7 +27,8 @@ BOOST_AUTO_TEST_CASE(a_measured_profile_goes_through_its_points_and_does_not_ove
   const std::vector<double> x{-2, -1, 0.5, 0.75, 3};
   const std::vector<double> gap{4, 1, 0, 0, 2.385};
   const Profile profile = Profile::tabulated(x, gap);
-  for (std::size_t i = 0; i < x.size(); ++i) BOOST_TEST(std::abs(profile.gap(x[i]) - gap[i]) < 1e-14);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    BOOST_TEST(std::abs(profile.gap(x[i]) - gap[i]) < 1e-14);
   for (double at = 0.5; at <= 0.75; at += 0.01) BOOST_TEST(profile.gap(at) == 0);
   for (double at = -2; at <= 3; at += 0.01) BOOST_TEST(profile.gap(at) >= 0);
   BOOST_TEST(relative_difference(profile.rise(-1, 3), 1.385) < 1e-14);

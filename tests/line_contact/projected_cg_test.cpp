@@ -126,21 +126,6 @@ BOOST_AUTO_TEST_CASE(the_error_is_what_elimination_says_within_a_factor_of_five)
   }
 }
 
-BOOST_AUTO_TEST_CASE(another_contact_may_be_held_afterwards) {
-  Held held(100);
-  InfluenceOperator influence(Element::triangular, 100);
-  ProjectedCg pressures(influence, held.rises);
-  VectorXd phi = held.guess(1);
-  pressures.solve(phi, held.in_contact, 1e-12);
-  held.in_contact[33] = true;
-  held.in_contact[98] = false;
-  phi = held.guess(1);
-  pressures.solve(phi, held.in_contact, 1e-12);
-
-  const Dense dense = solve_densely(Element::triangular, held, 1);
-  BOOST_TEST((phi - dense.phi).cwiseAbs().maxCoeff() < 1e-11 * dense.phi.maxCoeff());
-}
-
 BOOST_AUTO_TEST_CASE(steps_do_not_grow_with_the_number_of_nodes) {
   for (const Index n : {128, 1024, 8192}) {
     ContactMask in_contact = ContactMask::Constant(n, false);

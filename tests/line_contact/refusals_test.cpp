@@ -37,10 +37,22 @@ BOOST_AUTO_TEST_CASE(bodies_and_grids_that_make_no_sense_are_refused_by_name) {
       {"z = -1e-09", [] { line_contact::McEwen(hertz).stress(0, -1e-9); }},
       {"x = nan", [] { line_contact::McEwen(hertz).stress(NAN, 0); }},
       {"relative_curvature", [] { Profile::parabola(0); }},
-      {"profile points = 3", [] { Profile::tabulated({0, 1, 2}, {0, 1, 2}); }},
-      {"profile points = 4", [] { Profile::tabulated({0, 1, 2, 3}, {0, 1, 2}); }},
-      {"greater than the one before, 1", [] { Profile::tabulated({0, 1, 1, 2}, {0, 0, 0, 0}); }},
-      {"profile gap = inf", [&] { Profile::tabulated({0, 1, 2, 3}, {0, 0, infinity, 0}); }},
+      {"profile points = 3",
+       [] {
+         Profile::tabulated({0, 1, 2}, {0, 1, 2});
+       }},
+      {"profile points = 4",
+       [] {
+         Profile::tabulated({0, 1, 2, 3}, {0, 1, 2});
+       }},
+      {"greater than the one before, 1",
+       [] {
+         Profile::tabulated({0, 1, 1, 2}, {0, 0, 0, 0});
+       }},
+      {"profile gap = inf",
+       [&] {
+         Profile::tabulated({0, 1, 2, 3}, {0, 0, infinity, 0});
+       }},
       {"nodes = 9: must be from 10 to 16777216", [] { grid_of_width(1, 9); }},
       {"nodes = 16777217", [] { grid_of_width(1, (1 << 24) + 1); }},
       {"domain = 0", [] { grid_of_width(0, 91); }},
@@ -68,11 +80,10 @@ BOOST_AUTO_TEST_CASE(problems_that_no_method_can_solve_are_refused_by_every_meth
     p.profile = wavy_profile();
     p.grid = grid_of_width(0.1, 91, 0.05);
   });
-  for (const auto& solve : {+[](const Problem& p, double P) { return solve_by_fft(p, P); },
-                            +[](const Problem& p, double P) { return solve_by_matrix_inversion(p, P); },
-                            +[](const Problem& p, double P) {
-                              return solve_by_variational_method(p, P);
-                            }}) {
+  for (const auto& solve :
+       {+[](const Problem&p, double P) { return solve_by_fft(p, P); },
+        +[](const Problem&p, double P) { return solve_by_matrix_inversion(p, P); },
+        +[](const Problem&p, double P) { return solve_by_variational_method(p, P); }}) {
     check_refused({
         {"load = 0", [&] { solve(paper, 0); }},
         {"load = nan", [&] { solve(paper, NAN); }},
@@ -130,8 +141,8 @@ BOOST_AUTO_TEST_CASE(the_nodes_that_the_message_names_do) {
   const std::string message =
       message_of<sys::InvalidQuantity>([&] { solve_by_fft(cylinders_on(400), tiny); });
   const std::string words = "take at least ";
-  const auto needed = static_cast<Eigen::Index>(
-      std::stod(message.substr(message.find(words) + words.size())));
+  const auto needed =
+      static_cast<Eigen::Index>(std::stod(message.substr(message.find(words) + words.size())));
   BOOST_TEST_CONTEXT(message) {
     BOOST_CHECK_NO_THROW(solve_by_fft(cylinders_on(needed), tiny));
   }

@@ -66,9 +66,8 @@ BOOST_AUTO_TEST_CASE(known_uncertainties_give_the_covariance_whatever_the_residu
     BOOST_TEST((found.covariance * expected - MatrixXd::Identity(2, 2)).norm() < 1e-12);
     BOOST_TEST(found.correlation(0, 1) < 0);
     BOOST_TEST((found.residuals - (y - matrix * found.coefficients)).norm() < 1e-13);
-    BOOST_TEST(std::abs(found.chi_squared - (found.residuals.array() / standard.array())
-                                                .square()
-                                                .sum()) < 1e-10);
+    BOOST_TEST(std::abs(found.chi_squared -
+                        (found.residuals.array() / standard.array()).square().sum()) < 1e-10);
   }
 }
 
@@ -116,10 +115,22 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_fitted_is_refused) {
       {"observation", [&] { fit(line(4), VectorXd::Constant(4, NAN)); }},
       {"number of standard uncertainties", [&] { fit(line(4), y, VectorXd::Ones(3)); }},
       {"standard uncertainty = 0", [&] { fit(line(4), y, VectorXd::Zero(4)); }},
-      {"number of errors = 2", [] { fit_power({1, 2}, {1, 2}); }},
-      {"number of abscissae = 2", [] { fit_power({1, 2}, {1, 2, 3}); }},
-      {"magnitude of an error = 0", [] { fit_power({1, 2, 3}, {1, 0, 3}); }},
-      {"abscissa = -2", [] { fit_power({1, -2, 3}, {1, 1, 3}); }},
+      {"number of errors = 2",
+       [] {
+         fit_power({1, 2}, {1, 2});
+       }},
+      {"number of abscissae = 2",
+       [] {
+         fit_power({1, 2}, {1, 2, 3});
+       }},
+      {"magnitude of an error = 0",
+       [] {
+         fit_power({1, 2, 3}, {1, 0, 3});
+       }},
+      {"abscissa = -2",
+       [] {
+         fit_power({1, -2, 3}, {1, 1, 3});
+       }},
   });
 }
 

@@ -4,7 +4,6 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "random_inputs.hpp"
@@ -50,51 +49,93 @@ void check(const Estimate& estimate, double exact, double x) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(cauchy_integral_of_a_uniform_density_is_a_logarithm) {
+namespace {
+
+// A closed form of an integral, and where it holds.
+struct ClosedForm {
+  const char* name;
+  double (*density)(double);
+  double (*exact)(double x);
+  double (*point)(RandomInputs& random);
+};
+
+double anywhere(RandomInputs& random) {
+  const double x = random.point(1e6);
+  return std::abs(x) == 1 ? 0.5 : x;
+}
+double near(RandomInputs& random) {
+  return random.point(10);
+}
+double inside(RandomInputs& random) {
+  return random.uniform(-0.999, 0.999);
+}
+double outside(RandomInputs& random) {
+  return random.sign() * random.log_uniform(1.001, 1e6);
+}
+
+const ClosedForm cauchy_forms[] = {
+    {"of a uniform density", uniform,
+     // |x| ≫ 1: ln((x+1)/(x−1)) itself loses digits; atanh does not.
+     [](double x) {
+       return std::abs(x) > 2 ? 2 * std::atanh(1 / x) : std::log(std::abs((x + 1) / (x - 1)));
+     },
+     anywhere},
+    {"of a parabola", parabolic,
+     [](double x) {
+       const double logarithm = std::abs(x) == 1 ? 0 : std::log(std::abs((x + 1) / (x - 1)));
+       return 2 * x + (1 - x) * (1 + x) * logarithm;
+     },
+     near},
+    {"of an ellipse inside", elliptic, [](double x) { return pi * x; }, inside},
+    {"of an ellipse outside", elliptic,
+     [](double x) {
+       const double root = std::sqrt((std::abs(x) - 1) * (std::abs(x) + 1));
+       return pi / std::copysign(std::abs(x) + root, x);
+     },
+     outside},
+};
+
+const ClosedForm logarithmic_forms[] = {
+    {"of a uniform density", uniform, [](double x) { return x_log(x + 1) - x_log(x - 1) - 2; },
+     [](RandomInputs& random) { return random.point(50); }},
+    {"of an ellipse inside", elliptic,
+     [](double x) { return pi / 2 * (x * x - 0.5 - std::numbers::ln2); }, inside},
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(integrals_agree_with_their_closed_forms) {
   RandomInputs random(1);
-  const auto integrals = integrals_of(uniform);
-  for (int i = 0; i < 2000; ++i) {
-    const double x = random.point(1e6);
-    if (std::abs(x) == 1) continue;
-    const double exact = std::log(std::abs((x + 1) / (x - 1)));
-    // |x| ≫ 1: ln((x+1)/(x−1)) itself loses digits; atanh does not.
-    check(integrals.cauchy(x), std::abs(x) > 2 ? 2 * std::atanh(1 / x) : exact, x);
+  for (const ClosedForm& form : cauchy_forms) {
+    BOOST_TEST_CONTEXT("Cauchy integral " << form.name) {
+      const auto integrals = integrals_of(form.density);
+      for (int i = 0; i < 1000; ++i) {
+        const double x = form.point(random);
+        check(integrals.cauchy(x), form.exact(x), x);
+      }
+    }
+  }
+  for (const ClosedForm& form : logarithmic_forms) {
+    BOOST_TEST_CONTEXT("logarithmic integral " << form.name) {
+      const auto integrals = integrals_of(form.density);
+      for (int i = 0; i < 1000; ++i) {
+        const double x = form.point(random);
+        check(integrals.logarithmic(x, 1), form.exact(x), x);
+      }
+    }
   }
 }
 
-BOOST_AUTO_TEST_CASE(cauchy_integral_of_a_parabolic_density_is_known) {
-  RandomInputs random(2);
-  const auto integrals = integrals_of(parabolic);
-  for (int i = 0; i < 2000; ++i) {
-    const double x = random.point(10);
-    const double logarithm = std::abs(x) == 1 ? 0 : std::log(std::abs((x + 1) / (x - 1)));
-    check(integrals.cauchy(x), 2 * x + (1 - x) * (1 + x) * logarithm, x);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(cauchy_integral_of_an_elliptic_density_is_linear_inside) {
-  RandomInputs random(3);
-  const auto integrals = integrals_of(elliptic);
-  for (int i = 0; i < 500; ++i) {
-    const double x = random.uniform(-0.999, 0.999);
-    check(integrals.cauchy(x), pi * x, x);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(cauchy_integral_of_an_elliptic_density_decays_outside) {
-  RandomInputs random(4);
-  const auto integrals = integrals_of(elliptic);
-  for (int i = 0; i < 500; ++i) {
-    const double x = random.sign() * random.log_uniform(1.001, 1e6);
-    const double root = std::sqrt((std::abs(x) - 1) * (std::abs(x) + 1));
-    check(integrals.cauchy(x), pi / std::copysign(std::abs(x) + root, x), x);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(cauchy_integral_is_infinite_at_a_jump_and_says_so) {
+BOOST_AUTO_TEST_CASE(cauchy_integral_is_infinite_at_a_jump_however_small_and_says_so) {
   BOOST_CHECK_THROW(integrals_of(uniform).cauchy(1), InvalidQuantity);
   BOOST_CHECK_THROW(integrals_of(uniform).cauchy(-1), InvalidQuantity);
   BOOST_CHECK_THROW(integrals_of(uniform).cauchy(NAN), InvalidQuantity);
+  for (const double jump : {1e-12, 1e-6, -1e-3}) {
+    const KernelIntegrals integrals(
+        PiecewiseFunction({{-1, 0.5, uniform}, {0.5, 1, [jump](double) { return 1 + jump; }}}));
+    BOOST_CHECK_THROW(integrals.cauchy(0.5), InvalidQuantity);
+    BOOST_CHECK_NO_THROW(integrals.cauchy(0.5 + 1e-9));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_kink_that_is_only_a_split_changes_nothing) {
@@ -103,26 +144,6 @@ BOOST_AUTO_TEST_CASE(a_kink_that_is_only_a_split_changes_nothing) {
   for (const double x : {-0.2, 0.4, 0.4 + 1e-10, 0.4 - 1e-13, 0.1, 3.0}) {
     const double logarithm = std::log(std::abs((x + 1) / (x - 1)));
     check(split.cauchy(x), 2 * x + (1 - x * x) * logarithm, x);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(logarithmic_integral_of_a_uniform_density_is_known) {
-  // ∫₋₁¹ ln|x − s| ds = (x+1) ln|x+1| − (x−1) ln|x−1| − 2
-  RandomInputs random(5);
-  const auto integrals = integrals_of(uniform);
-  for (int i = 0; i < 2000; ++i) {
-    const double x = random.point(50);
-    check(integrals.logarithmic(x, 1), x_log(x + 1) - x_log(x - 1) - 2, x);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(logarithmic_integral_of_an_elliptic_density_is_quadratic_inside) {
-  // ∫₋₁¹ √(1 − s²) ln|x − s| ds = (π/2)(x² − ½ − ln 2), |x| ≤ 1
-  RandomInputs random(6);
-  const auto integrals = integrals_of(elliptic);
-  for (int i = 0; i < 500; ++i) {
-    const double x = random.uniform(-1, 1);
-    check(integrals.logarithmic(x, 1), pi / 2 * (x * x - 0.5 - std::numbers::ln2), x);
   }
 }
 
@@ -167,16 +188,6 @@ BOOST_AUTO_TEST_CASE(evaluations_stay_below_those_of_plain_quadpack) {
       integrals.logarithmic(x, 1);
       BOOST_TEST(n_evaluations <= 144);
     }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(at_a_jump_however_small_there_is_no_principal_value) {
-  for (const double jump : {1e-12, 1e-6, -1e-3}) {
-    const KernelIntegrals integrals(
-        PiecewiseFunction({{-1, 0.5, uniform}, {0.5, 1, [jump](double) { return 1 + jump; }}}));
-
-    BOOST_CHECK_THROW(integrals.cauchy(0.5), InvalidQuantity);
-    BOOST_CHECK_NO_THROW(integrals.cauchy(0.5 + 1e-9));
   }
 }
 

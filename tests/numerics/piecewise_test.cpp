@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numerics/piecewise.hpp"
 
-#include <boost/test/unit_test.hpp>
 #include <algorithm>
+#include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -68,7 +68,8 @@ BOOST_AUTO_TEST_CASE(ends_and_values_that_are_not_finite_are_refused) {
 BOOST_AUTO_TEST_CASE(polynomials_and_roots_are_resolved_as_they_are) {
   const auto quartic = [](double s) { return 1 - s * s * s * s; };
   const auto ellipse = [](double s) { return std::sqrt((1 - s) * (1 + s)); };
-  for (const std::function<double(double)>& f : {std::function<double(double)>(quartic), {ellipse}}) {
+  for (const std::function<double(double)>& f :
+       {std::function<double(double)>(quartic), {ellipse}}) {
     BOOST_TEST(resolved(PiecewiseFunction({{-1, 1, f}})).pieces().size() == 1U);
   }
 }

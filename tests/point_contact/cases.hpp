@@ -33,11 +33,13 @@ inline const point_contact::HertzElliptic ellipse(modulus, curvature_x, curvatur
 inline Profile wavy_profile() {
   constexpr Eigen::Index n = 101;
   constexpr double spacing = 0.01;
-  const Eigen::ArrayXXd heights = Eigen::ArrayXXd::NullaryExpr(n, n, [](Eigen::Index i, Eigen::Index j) {
-    const double x = 0.01 * static_cast<double>(i - 50);
-    const double y = 0.01 * static_cast<double>(j - 50);
-    return 0.3 * (x * x + 1.3 * y * y) + 0.006 * std::cos(40 * x + 0.4) * std::cos(35 * y - 0.3);
-  });
+  const Eigen::ArrayXXd heights =
+      Eigen::ArrayXXd::NullaryExpr(n, n, [](Eigen::Index i, Eigen::Index j) {
+        const double x = 0.01 * static_cast<double>(i - 50);
+        const double y = 0.01 * static_cast<double>(j - 50);
+        return 0.3 * (x * x + 1.3 * y * y) +
+               0.006 * std::cos(40 * x + 0.4) * std::cos(35 * y - 0.3);
+      });
   return Profile::height_map(heights, spacing);
 }
 

@@ -127,9 +127,8 @@ BOOST_AUTO_TEST_CASE(spheres_are_johnsons) {
   const double R = 1 / curvature;
   BOOST_TEST(relative_difference(hertz.radius(), std::cbrt(3 * load * R / (4 * modulus))) < 1e-15);
   BOOST_TEST(relative_difference(hertz.approach(), hertz.radius() * hertz.radius() / R) < 1e-14);
-  BOOST_TEST(relative_difference(hertz.peak_pressure(),
-                                 std::cbrt(6 * load * modulus * modulus / (pi * pi * pi * R * R))) <
-             1e-14);
+  BOOST_TEST(relative_difference(hertz.peak_pressure(), std::cbrt(6 * load * modulus * modulus /
+                                                                  (pi * pi * pi * R * R))) < 1e-14);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -60,7 +60,8 @@ std::vector<Vector2> places() {
     for (int j = 0; j <= 5; ++j) result.emplace_back(i, j);
   }
   RandomInputs random(7);
-  for (const double r : {0.3, 1.0, 4.0, 6.99, 7.01, 19.9, 20.1, 59.9, 60.1, 119.0, 121.0, 1e3, 1e5}) {
+  for (const double r :
+       {0.3, 1.0, 4.0, 6.99, 7.01, 19.9, 20.1, 59.9, 60.1, 119.0, 121.0, 1e3, 1e5}) {
     for (int i = 0; i < 6; ++i) {
       const double angle = random.uniform(0, 2 * std::numbers::pi);
       result.emplace_back(r * std::cos(angle), r * std::sin(angle));
@@ -124,7 +125,8 @@ BOOST_AUTO_TEST_CASE(a_linear_pressure_on_a_triangle_is_the_quadrature_of_its_pa
   };
   const double exact =
       quadrature.smooth(at_angle, 0, std::atan2(0.8, 0.3), 1e-14, {"triangle", 0}).value;
-  BOOST_TEST(std::abs(point_contact::linear_potential(corners, values, corners[0]) - exact) < 1e-14);
+  BOOST_TEST(std::abs(point_contact::linear_potential(corners, values, corners[0]) - exact) <
+             1e-14);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

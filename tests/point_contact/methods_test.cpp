@@ -133,11 +133,10 @@ BOOST_AUTO_TEST_CASE(bodies_of_any_shape_approach_their_closed_forms) {
 
   // The sphere as a measured surface.
   const double spacing = 2.6 * hertz.radius() / 100;
-  const Eigen::ArrayXXd heights =
-      Eigen::ArrayXXd::NullaryExpr(101, 101, [&](Index i, Index j) {
-        return curvature / 2 * spacing * spacing *
-               static_cast<double>((i - 50) * (i - 50) + (j - 50) * (j - 50));
-      });
+  const Eigen::ArrayXXd heights = Eigen::ArrayXXd::NullaryExpr(101, 101, [&](Index i, Index j) {
+    return curvature / 2 * spacing * spacing *
+           static_cast<double>((i - 50) * (i - 50) + (j - 50) * (j - 50));
+  });
   Problem measured = spheres_on(100);
   measured.profile = Profile::height_map(heights, spacing);
   BOOST_TEST(difference(solve_for_load(measured, load).pressure,

@@ -57,8 +57,8 @@ BOOST_AUTO_TEST_CASE(held_contact_is_solved_as_by_elimination) {
       matrix(i, i) = 1;
       if (!state.in_contact[i]) continue;
       for (Index j = 0; j < n; ++j) {
-        matrix(i, j) = influence_coefficient(element, {static_cast<double>(i % n1 - j % n1),
-                                                       static_cast<double>(i / n1 - j / n1)});
+        matrix(i, j) = influence_coefficient(
+            element, {static_cast<double>(i % n1 - j % n1), static_cast<double>(i / n1 - j / n1)});
       }
       matrix(i, n) = -1;
       matrix(n, i) = 1;

@@ -34,10 +34,10 @@ BOOST_AUTO_TEST_CASE(bodies_and_grids_that_make_no_sense_are_refused_by_name) {
       {"columns of heights = 2", [&] { Profile::height_map(flat.leftCols(2), 1); }},
       {"height = inf", [&] { Profile::height_map(infinite, 1); }},
       {"spacing = 0", [&] { Profile::height_map(flat, 0); }},
-      {"domain width = 0", [] { square_grid(0, 64); }},
-      {"domain height = nan", [] { rectangular_grid(1, NAN, 64); }},
-      {"nodes a side = 7: must be from 8 to 8192", [] { square_grid(1, 7); }},
-      {"nodes a side = 20000: must be from 8 to 8192", [] { square_grid(1, 20000); }},
+      {"domain = 0", [] { square_grid(0, 64); }},
+      {"domain = nan", [] { rectangular_grid(1, NAN, 64); }},
+      {"nodes = 7: must be from 8 to 8192", [] { square_grid(1, 7); }},
+      {"nodes = 20000: must be from 8 to 8192", [] { square_grid(1, 20000); }},
   });
 }
 
@@ -50,8 +50,9 @@ BOOST_AUTO_TEST_CASE(problems_that_cannot_be_solved_are_refused_by_both_methods)
   huge.grid.spacing = 1e60;
   narrow.grid.spacing *= 0.6;
   measured.grid.spacing *= 0.1;
-  for (const auto& solve : {+[](const Problem& p, double P) { solve_for_load(p, P); },
-                            +[](const Problem& p, double P) { solve_by_variational_method(p, P); }}) {
+  for (const auto& solve :
+       {+[](const Problem&p, double P) { solve_for_load(p, P); },
+        +[](const Problem&p, double P) { solve_by_variational_method(p, P); }}) {
     check_refused({
         {"load = 0", [&] { solve(spheres, 0); }},
         {"load = 1e+120: must be less", [&] { solve(spheres, 1e120); }},

@@ -38,7 +38,9 @@ Solution with_pressure(Element element, const Pressure& pressure) {
 
 BOOST_AUTO_TEST_CASE(semi_axes_are_the_principal_second_moments_of_the_pressure) {
   // One element: (1, 1)/12 of a square; with (−1, 1) smeared as well 1/12 and 3/12 along diagonals.
-  const auto one = [](const Vector2& at) { return (at - Vector2(2.5, -3.5)).norm() < 0.1 ? 3. : 0; };
+  const auto one = [](const Vector2& at) {
+    return (at - Vector2(2.5, -3.5)).norm() < 0.1 ? 3. : 0;
+  };
   const Vector2 uniform = with_pressure(Element::uniform, one).semi_axes();
   const Vector2 pyramid = with_pressure(Element::pyramid, one).semi_axes();
   BOOST_TEST(relative_difference(uniform[0], 0.25 * std::sqrt(5. / 12)) < 1e-12);
@@ -92,8 +94,8 @@ BOOST_AUTO_TEST_CASE(a_measured_surface_touches_in_regions_that_carry_the_load) 
 BOOST_AUTO_TEST_CASE(a_warning_tells_the_size_of_the_error_of_a_coarse_contact) {
   for (const Element element : elements) {
     for (double across = 5; across < 28; across += 0.71) {
-      const Problem problem{Profile::paraboloid(curvature), modulus,
-                            {2 * hertz.radius() / across, 48, 47}, element};
+      const Problem problem{
+          Profile::paraboloid(curvature), modulus, {2 * hertz.radius() / across, 48, 47}, element};
       const Solution s = solve_for_load(problem, load);
       const std::string warning = contact::resolution_warning(s.resolution());
       const double error = std::max(std::abs(s.semi_axes().mean() / hertz.radius() - 1),

@@ -16,7 +16,7 @@ namespace assignment {
 /// The surface's load, whatever its shape.
 inline elasticity::Load elastic_load(const Surface& s) {
   const auto p = [=](double at) { return pressure(s.shape, s.peak_pressure, s.half_width, at); };
-  return elasticity::distributed_load(p, {}, {-s.half_width, 0, s.half_width});
+  return elasticity::distributed_load(p, {-s.half_width, 0, s.half_width});
 }
 
 inline elasticity::SurfaceQuadrature reference_of(const Surface& s) {

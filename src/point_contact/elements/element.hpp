@@ -30,9 +30,9 @@ std::string_view name_of(Element element);
 ///   pyramid  linear_potential() of its six triangles; the hexagon has the corners ±(1, 0), ±(0, 1)
 ///            and ±(1, −1)
 ///
-/// From seven spacings on a few weighted points take their place: an element is a point load smeared
-/// uniformly along (1, 0), (0, 1) and, for a pyramid, (−1, 1) as well. Accuracy: 1e-14 of T(0), and
-/// far away, where T → 1/|d|, 3e-14 relative.
+/// From seven spacings on a few weighted points take their place: an element is a point load
+/// smeared uniformly along (1, 0), (0, 1) and, for a pyramid, (−1, 1) as well. Accuracy: 1e-14 of
+/// T(0), and far away, where T → 1/|d|, 3e-14 relative.
 double influence_coefficient(Element element, const Vector2& d);
 
 /// ∫ dA/r over a convex polygon whose corners are given counter-clockwise, at a point of its plane;

@@ -11,10 +11,10 @@
 namespace point_contact {
 
 Grid rectangular_grid(double width, double height, Eigen::Index n) {
-  sys::require_positive("domain width", width);
-  sys::require_positive("domain height", height);
+  sys::require_positive("domain", width);
+  sys::require_positive("domain", height);
   if (n < min_nodes || n > max_nodes) {
-    throw sys::InvalidQuantity("nodes a side", static_cast<double>(n),
+    throw sys::InvalidQuantity("nodes", static_cast<double>(n),
                                fmt::format("from {} to {}", min_nodes, max_nodes));
   }
   const double spacing = std::max(width, height) / static_cast<double>(n);

@@ -32,8 +32,8 @@ class Coefficients {
         const bool is_known = std::abs(k1) < k2 && k2 <= half1;
         rows_(half1 + k1, k2) =
             is_known ? (*this)(k1 < 0 ? -k2 : k2, std::abs(k1))
-                     : influence_coefficient(
-                           element, {static_cast<double>(k1), static_cast<double>(k2)});
+                     : influence_coefficient(element,
+                                             {static_cast<double>(k1), static_cast<double>(k2)});
       }
     }
   }
@@ -45,8 +45,8 @@ class Coefficients {
   Eigen::MatrixXd rows_;
 };
 
-// The transforms of the rows k2 = 0 … period2/2 of coefficients, at k1 = 0 … period1/2 each. A lag of
-// half the period is both that and its opposite: the mean of the two keeps the matrix symmetric.
+// The transforms of the rows k2 = 0 … period2/2 of coefficients, at k1 = 0 … period1/2 each. A lag
+// of half the period is both that and its opposite: the mean of the two keeps the matrix symmetric.
 ComplexBuffer transformed_rows(Element element, Index period1, Index period2) {
   const Index half1 = period1 / 2;
   const Index half2 = period2 / 2;

@@ -26,10 +26,9 @@ Solution solve_by_variational_method(const Problem& problem, double load, double
       equations, [&](const VectorXd& phi, VectorXd& u) { influence.displacements(phi, u); },
       tolerance, max_products);
   const double error = loads.misfit / loads.phi.maxCoeff();
-  return to_solution(
-      problem, load,
-      {std::move(loads.phi), std::move(loads.gap), loads.approach, error,
-       contact::Work{.iterations = loads.products / 2, .products = loads.products}});
+  return to_solution(problem, load,
+                     {std::move(loads.phi), std::move(loads.gap), loads.approach, error,
+                      contact::Work{.iterations = loads.products / 2, .products = loads.products}});
 }
 
 }  // namespace point_contact

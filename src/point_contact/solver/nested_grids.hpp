@@ -8,9 +8,9 @@
 
 namespace point_contact {
 
-/// Nodal loads under a load P, by conjugate gradients within a search for the nodes in contact, on a
-/// sequence of grids of the same domain, each with twice the nodes a side, whose pressure the next
-/// starts from.
+/// Nodal loads under a load P, by conjugate gradients within a search for the nodes in contact, on
+/// a sequence of grids of the same domain, each with twice the nodes a side, whose pressure the
+/// next starts from.
 ///
 /// The contact may reach the ends of the grid. Throws InvalidQuantity if rounding keeps the
 /// tolerance out of reach, ContactError if the contact does not settle.

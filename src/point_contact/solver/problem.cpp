@@ -17,14 +17,14 @@ Eigen::VectorXd initial_gaps(const Problem& problem) {
   const Grid& grid = problem.grid;
   const Eigen::Index longer = std::max(grid.n1, grid.n2);
   if (std::min(grid.n1, grid.n2) < min_nodes || longer > max_nodes) {
-    throw sys::InvalidQuantity("nodes a side", static_cast<double>(longer),
+    throw sys::InvalidQuantity("nodes", static_cast<double>(longer),
                                fmt::format("from {} to {}", min_nodes, max_nodes));
   }
   const Vector2 corner = grid.node(grid.n1 - 1, grid.n2 - 1);
   const Vector2& half_sides = problem.profile.half_sides();
   if (!(corner.array() <= half_sides.array()).all()) {
     throw sys::InvalidQuantity(
-        "domain width", static_cast<double>(grid.n1) * grid.spacing,
+        "domain", static_cast<double>(grid.n1) * grid.spacing,
         fmt::format("within the measured surface, |x| ≤ {:.6g}, |y| ≤ {:.6g}; its corner is at "
                     "({:.6g}, {:.6g})",
                     half_sides.x(), half_sides.y(), corner.x(), corner.y()));

@@ -22,13 +22,13 @@ void ProjectedCg::start(ContactState& state) {
 }
 
 void ProjectedCg::step() {
-  influence_.displacements(direction_, product_);                   // q = T d
-  const double length = decrease_ / direction_.dot(product_);       // α = (r, z)/(d, q)
-  state_->phi += length * direction_;                               // φ += α d
-  state_->gap += length * product_;                                 // gap += α q
+  influence_.displacements(direction_, product_);              // q = T d
+  const double length = decrease_ / direction_.dot(product_);  // α = (r, z)/(d, q)
+  state_->phi += length * direction_;                          // φ += α d
+  state_->gap += length * product_;                            // gap += α q
   const double previous = decrease_;
-  precondition_gap();                                               // z = M r
-  direction_ = correction_ + (decrease_ / previous) * direction_;   // d = z + β d
+  precondition_gap();                                              // z = M r
+  direction_ = correction_ + (decrease_ / previous) * direction_;  // d = z + β d
   ++work_.iterations;
   ++work_.products;
 }

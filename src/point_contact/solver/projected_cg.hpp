@@ -19,8 +19,8 @@ struct ContactState {
   double approach = 0;  ///< δ
 };
 
-/// Eq. (1a) for nodes whose contact is known: minimises ½φᵀTφ + (h−δ)ᵀφ over the loads φ of the nodes
-/// in contact while Σφ stays what it is; δ adapts itself.
+/// Eq. (1a) for nodes whose contact is known: minimises ½φᵀTφ + (h−δ)ᵀφ over the loads φ of the
+/// nodes in contact while Σφ stays what it is; δ adapts itself.
 ///
 /// Conjugate gradients, preconditioned by M = C⁻¹ − θ diag(w). The inverse C⁻¹ of the circulant
 /// matrix takes the displacements to be zero outside contact and answers a jump at its edge with

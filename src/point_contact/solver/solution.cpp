@@ -67,7 +67,7 @@ void require_free_ends(const Solution& solution) {
   }
   if (is_free) return;
   const bool is_measured = std::isfinite(solution.profile.half_sides().maxCoeff());
-  throw sys::InvalidQuantity("domain width", static_cast<double>(grid.n1) * grid.spacing,
+  throw sys::InvalidQuantity("domain", static_cast<double>(grid.n1) * grid.spacing,
                              is_measured ? "wider: the contact reaches the end of the grid, which "
                                            "must lie within the measured surface"
                                          : "wider: the contact reaches the end of the grid");
@@ -134,10 +134,10 @@ Vector2 Solution::area_semi_axes() const {
 }
 
 Solution to_solution(const Problem& problem, double load, NodalLoads loads) {
-  const double pressure_per_phi =
-      std::numbers::pi * problem.contact_modulus / problem.grid.spacing;
-  Solution solution{{problem}, pressure_per_phi * loads.phi, std::move(loads.gap), loads.approach,
-                    loads.work, {}};
+  const double pressure_per_phi = std::numbers::pi * problem.contact_modulus / problem.grid.spacing;
+  Solution solution{
+      {problem}, pressure_per_phi * loads.phi, std::move(loads.gap), loads.approach, loads.work,
+      {}};
   require_free_ends(solution);
   contact::require_resolved(solution.resolution());
   solution.residuals = contact::residuals_of_gaps(solution.pressure, solution.gap);
