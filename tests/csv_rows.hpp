@@ -8,10 +8,8 @@
 
 using CsvRow = std::vector<std::string>;
 
-/// The rows of a CSV file (RFC 4180), the first one with the names of the columns.
-inline std::vector<CsvRow> csv_rows(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+/// The rows of a CSV text (RFC 4180), the first one with the names of the columns.
+inline std::vector<CsvRow> csv_rows_of(const std::string& text) {
   std::vector<CsvRow> rows;
   CsvRow row{""};
   bool is_quoted = false;
@@ -31,4 +29,10 @@ inline std::vector<CsvRow> csv_rows(const std::string& file) {
     }
   }
   return rows;
+}
+
+/// The same of a file.
+inline std::vector<CsvRow> csv_rows(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return csv_rows_of({std::istreambuf_iterator<char>(stream), {}});
 }

@@ -67,10 +67,9 @@ Converter converter(const std::string& from, const std::string& to) {
   return converter;
 }
 
-/// Without what binary arithmetic adds to decimal numbers.
+/// Without what binary arithmetic adds to decimal numbers; infinity and NaN stay as they are.
 double to_15_digits(double number) {
-  return std::isfinite(number) ? sys::parsed<double>(fmt::format("{:.15g}", number)).value()
-                               : number;
+  return sys::parsed<double>(fmt::format("{:.15g}", number)).value_or(number);
 }
 
 }  // namespace

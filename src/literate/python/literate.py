@@ -118,7 +118,7 @@ def agrees_relatively(name: str, quantity: Json, stated: Json, limit: Json) -> J
 
 
 def in_each(name: str, cases: str, each: Sequence[Json]) -> Json:
-    """Returns the criterion that all of these hold; `cases` (LaTeX) says what they are, such as points."""
+    """Returns the criterion that all of these hold; `cases` (LaTeX) names them, such as points."""
     return {"name": name, "test": "in_each", "cases": cases, "each": list(each)}
 
 
@@ -161,7 +161,7 @@ class Document:
         self._add("checks", key, {"statement": statement, **judged})
 
     def claim(self, key: str, *, route: str, criteria: Sequence[Json], expected: str = "holds") -> None:
-        """Registers a claim for `\\claim{key}`; `route` (LaTeX) says how it is computed, and `expected` is the verdict that the
+        """Registers a claim for `\\claim{key}`; `route` (LaTeX) describes how it is computed, and `expected` is the verdict that the
         prose relies on: holds, holds in part, fails or undecided."""
         self._add("claims", key, {"route": route, "expected": expected, "criteria": list(criteria)})
 

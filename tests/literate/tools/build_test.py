@@ -155,6 +155,23 @@ class Paths(PaperTest):
                 self.assertEqual(rules_in(self.make(paper=paper)), ["typeset small"])
                 self.assertEqual(rules_in(self.make(paper=paper)), [])
 
+    def test_the_paper_may_be_in_a_subdirectory_of_the_project(self):
+        for name in ("plain", "O'Neil"):
+            with self.subTest(name):
+                paper = type(self.paper)(self.paper.folder.parent / name / "small")
+                lists = (paper.folder / "CMakeLists.txt").read_text()
+                paper.write("sub/CMakeLists.txt", lists[lists.index("include"):].replace("paper MAIN", "../paper MAIN").replace("CASE ", "CASE ../")
+                            .replace("figures\n", "../figures\n").replace("SCRIPT compute.py", "SCRIPT ../compute.py")
+                            .replace("SOURCES compute.py FAULTS faults.txt", "SOURCES ../compute.py"))
+                paper.write("CMakeLists.txt", lists[:lists.index("include")] + "add_subdirectory(sub)\n")
+                code, said = paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja")
+                self.assertNotIn("Warning", said)
+                paper.run("ninja", "-C", "build", "sub/small")
+                paper.replace("paper/sections/more.tex", "More", "Much")
+                self.assertEqual(rules_in(paper.run("ninja", "-C", "build", "sub/all")[1]), ["typeset small"])
+                if name == "plain":
+                    self.assertEqual(rules_in(paper.run("ninja", "-C", "build", "sub/all")[1]), [])
+
     def test_the_folder_of_the_output_may_be_elsewhere(self):
         self.paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja", f"-Dsmall_OUTPUT={self.paper.folder}/out/paper")
         self.paper.run("ninja", "-C", "build")

@@ -84,7 +84,7 @@ class Check(PaperTest):
     def test_quotations_are_looked_up(self):
         self.paper.replace("paper/sections/more.tex", "More", "\\quoted{the first  effi\\-cient \\dots\\ of $5\\,\\%$ -- ``so''} and\n\\quoted{not there} are")
         self.paper.write("text.txt", "Of\nThe First eﬃ-\ncient way\nout of 5 % – “so” it ends.\n")
-        self.assertEqual(self.check("--paper", "text.txt"), (1, ["paper/sections/more.tex:2: text.txt does not say “not there”"]))
+        self.assertEqual(self.check("--paper", "text.txt"), (1, ["paper/sections/more.tex:2: text.txt does not contain “not there”"]))
 
 
 if __name__ == "__main__":

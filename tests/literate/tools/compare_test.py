@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""changes, verify and dist: the paper beside a former state, another machine, an empty folder."""
+"""changes, verify and dist: the paper beside a former state, a different machine, an empty folder."""
 
 import csv
 import json

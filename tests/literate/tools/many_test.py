@@ -29,15 +29,15 @@ class Severity(PaperTest):
 
     def test_faults_turn_claims_and_the_ledger_says_which(self):
         self.paper.commit()
-        told = "limit: short\nidle: nothing\nstops: stops the computation\n3 faults turn 1 of 1 claims\n"
-        self.assertEqual(self.severity(), (0, told))
+        printed = "limit: short\nidle: nothing\nstops: stops the computation\n3 faults turn 1 of 1 claims\n"
+        self.assertEqual(self.severity(), (0, printed))
         with open(self.paper.folder / "paper/severity.csv") as file:
             self.assertEqual(list(csv.reader(file)), [
                 ["fault", "file", "what is wrong", "turns"], ["limit", "case.toml", "the room is smaller", "short"],
                 ["idle", "compute.py", "only a text", "nothing"], ["stops", "compute.py", "a point is missing", "stops the computation"]])
         self.make()
         self.assertIn("Turned by these planted faults: limit.", " ".join(self.paper.text().split()))
-        self.assertEqual(self.severity(), (0, told))  # from what it remembers, and nothing in the checkout is left changed
+        self.assertEqual(self.severity(), (0, printed))  # from what it remembers, and nothing in the checkout is left changed
         status = self.paper.run("git", "status", "--porcelain")[1]
         self.assertEqual(status, "?? paper/severity.csv\n?? paper/severity.tex\n")
 
@@ -46,6 +46,10 @@ class Severity(PaperTest):
         copy = self.paper.output / "severity" / "source"
         (copy / "case.toml").write_text((copy / "case.toml").read_text().replace("limit = 10.0", "limit = 1.0"))  # as kill -9 leaves it
         self.assertEqual(self.severity("--only", "idle"), (0, "idle: nothing\n"))
+
+    def test_a_fault_that_keeps_the_computation_from_ending_is_stopped(self):
+        self.paper.write("faults.txt", "endless | compute.py | import literate | import literate; list(iter(int, 1)) | a loop\n")
+        self.assertEqual(self.severity("--only", "endless", "--timeout", "3"), (0, "endless: does not end\n"))
 
     def test_a_line_that_does_not_fit_is_refused(self):
         for line, message in [("a | compute.py | none there | x | w", "fault 'a': compute.py has “none there” 0 times, not once"),

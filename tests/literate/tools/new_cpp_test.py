@@ -21,7 +21,7 @@ class NewInCpp(unittest.TestCase):
     def test_from_an_installation_and_from_a_checkout(self):
         with tempfile.TemporaryDirectory(prefix="new-") as name:
             folder = Path(name).resolve()
-            self.run_in(folder, "cmake", "--install", os.environ["LITERATE_BUILD"], "--prefix", folder / "prefix")
+            self.run_in(folder, "cmake", "--install", os.environ["LITERATE_BUILD"] + "/src/literate", "--prefix", folder / "prefix")
             for literate in (folder / "prefix" / "bin" / "literate", ENGINE / "tools" / "literate"):
                 with self.subTest(literate):
                     self.run_in(folder, literate, "new", "cup")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A small paper in a folder of its own, for tests. LITERATE_RESULTS names the program literate-results."""
+"""A small paper in a separate folder, for tests. LITERATE_RESULTS names the program literate-results."""
 
 import os
 import re

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares the results of a paper that is built with former ones: those of a commit, which is computed again in a clone, or
 those in a results.json or a manifest. Lists what is new, gone, moved beyond or within the sum of both errors, and each verdict,
-flag or limit that is a different one, with the places in the prose that print it: those to read again. The list is written to
+flag or limit that is different, with the places in the prose that print it: those to read again. The list is written to
 changes.csv beside the PDF as well.
 
 examples:
@@ -155,7 +155,7 @@ def compare_table(part: str, name: str, before: dict, after: dict) -> list[Chang
 
 
 def compare_figure(part: str, name: str, before: dict, after: dict) -> list[Change]:
-    """Compares what two figures say besides their data."""
+    """Compares the sizes, numbers, texts and columns of two figures."""
     keys = [key for key in ("width_cm", "height_cm", "numbers", "texts", "data") if before[key] != after[key]]
     return [Change("beyond", part, f"{name}: {key}", str(before[key]), str(after[key])) for key in keys]
 

@@ -80,7 +80,7 @@ def altered_quotations(uses: list[Use], paper: Path) -> list[str]:
         text = plain(paper.read_text(errors="replace"))
     except OSError as error:
         raise Failure(f"{paper}: {error.strerror}") from None
-    return [f"{use.place}: {paper.name} does not say “{use.name}”" for use in uses
+    return [f"{use.place}: {paper.name} does not contain “{use.name}”" for use in uses
             if use.kind == "quoted" and not all(plain(part) in text for part in re.split(r"\\[lc]?dots|…|\[[^]]*\]", use.name))]
 
 

@@ -101,7 +101,7 @@ def quiet_run(command: list[str], what: str, **options) -> None:
 
 
 def configure(settings, source: Path, build: Path, output: Path, **options) -> None:
-    """Configures another copy of the project, with the engine and the build type of this one."""
+    """Configures a copy of the project with the engine and the build type of this one."""
     quiet_run(["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", *settings.configure,
                f"-D{settings.name}_OUTPUT={output}"], f"configuring {source}", **options)
 

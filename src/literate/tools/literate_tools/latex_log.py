@@ -41,7 +41,7 @@ def errors(settings: Settings) -> list[Error]:
         if not placed and not bare:
             continue
         message = (placed[3] if placed else bare[1]).removeprefix("Package literate Error: ").removesuffix(".")
-        if bare:  # of a file that is missing LaTeX says where when it stops
+        if bare:  # of a missing file LaTeX gives the place when it stops
             placed = next(filter(None, (re.match(r"(.+?):(\d+): Emergency stop", later) for later in lines[number:])), None)
         file = Path(os.path.realpath(settings.document / placed[1])) if placed else None
         if file and not file.is_file():

@@ -43,7 +43,7 @@ def source_files(settings: Settings) -> list[Path]:
 
 
 def versions(settings: Settings) -> dict[str, str]:
-    """Returns the versions of the tools: CMake told those of compiler and engine, LaTeX's log tells its own."""
+    """Returns the versions of the tools: CMake recorded those of the compiler, and LaTeX's log has its own."""
     log = log_of(settings)
     tools = dict(settings.versions)
     for name, pattern in (("pdfTeX", r"This is pdfTeX, Version (\S+)"), ("LaTeX", r"LaTeX2e <([\d-]+)>")):

@@ -30,7 +30,7 @@ def run(arguments: list[str]) -> int:
     for part in ("common", "python" if given.python else "cpp"):
         copy(ENGINE / "template" / part, folder, name)
     (folder / ".engine").write_text(f"{ENGINE}\n")
-    print(f"{given.folder}: cd there and run make; README.md says what is where")
+    print(f"{given.folder}: cd there and run make; README.md describes the files")
     return 0
 
 

@@ -166,10 +166,11 @@ def recorded(settings: Settings) -> list[Path]:
 
 
 def write_depfile(settings: Settings, stamp: Path, depfile: Path) -> None:
-    """Writes the files that LaTeX read, for Ninja: relative to CMake's folder, since Ninja cannot read each sign of a path. It
-    knows the stamp by a relative name as well, but only within that folder."""
-    def escaped(path: Path, base: Path) -> str:
-        name = os.path.relpath(path, settings.build) if path.is_relative_to(base) else str(path)
+    """Writes the files that LaTeX read, for Ninja: with relative paths where it takes them, since Ninja cannot read each sign
+    of a path. It knows the stamp by a relative path only within its folder."""
+    def escaped(path: Path, part: Path) -> str:
+        is_relative = settings.depfile_base and path.is_relative_to(part)
+        name = os.path.relpath(path, settings.depfile_base) if is_relative else str(path)
         return name.replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
     read = [escaped(path, settings.source) for path in recorded(settings) if not path.is_relative_to(settings.output)]
     depfile.write_text(f"{escaped(stamp, settings.build)}: {' '.join(read)}\n")

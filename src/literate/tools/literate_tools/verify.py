@@ -81,11 +81,11 @@ def built_elsewhere(settings: Settings) -> list[str]:
     if here["commit"] != git(settings.source, "describe", "--always", "--abbrev=12", "--exclude=*"):
         raise Failure(f"the paper was built from {here['commit']}: build it again first")
     with TemporaryDirectory(prefix="literate ") as folder:
-        clone, build = Path(folder, "a clone"), Path(folder, "build")
+        clone = Path(folder, "a clone")
         options = {"env": os.environ | ELSEWHERE | installed_locale(), "umask": 0o077}
         quiet_run(["git", "clone", "--quiet", "--no-hardlinks", root, str(clone)], "git clone", **options)
         source = clone / settings.source.relative_to(root)
-        output = source / "build" / settings.name  # beside the prose: TeX cannot search each path
+        build, output = source / "build" / "verify", source / "build" / settings.name
         configure(settings, source, build, output, **options)
         ran = subprocess.run(["ninja", "-C", str(build), settings.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              text=True, errors="replace", **options)
