@@ -120,12 +120,10 @@ BOOST_AUTO_TEST_CASE(points_come_from_a_list_a_file_or_standard_input_alike) {
   const std::string by_list = output_of(strip + words_of("--x -0.5,0,1.5 --format csv"));
 
   BOOST_TEST(output_of(strip + Words{"--x-file", file, "--format", "csv"}) == by_list);
-  const auto piped =
-      sys::run({.program = "sh",
-                .arguments = {"-c",
-                              R"(seq -0.5 0.5 1.5 | "$1" displacement --shape uniform )"
-                              "--peak-pressure 100 --half-width 1 --x-file - --format csv",
-                              "sh", HALFSPACE_PROGRAM}});
+  const ShellResult piped =
+      run_shell(R"(seq -0.5 0.5 1.5 | "$1" displacement --shape uniform )"
+                "--peak-pressure 100 --half-width 1 --x-file - --format csv",
+                {HALFSPACE_PROGRAM});
   BOOST_TEST(sys::lines_of(piped.output).size() == 6U, piped.output);
 }
 

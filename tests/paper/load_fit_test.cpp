@@ -31,7 +31,7 @@ struct Made {
   explicit Made(const FallingPressure& load) {
     const paper::HalfSpaceCase& h = c.half_space;
     for (std::size_t i = 0; i < h.points.size(); ++i) {
-      printed.figure5.fea_z[i] = config::PrintedNumber(
+      printed.figure5.fea_z[i] = parameters::PrintedNumber(
           fmt::format("{:.15e}", load.displacement(h.material, h.points[i], h.datum)));
     }
   }

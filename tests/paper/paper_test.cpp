@@ -2,6 +2,7 @@
 #include "paper/paper.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <regex>
@@ -44,8 +45,8 @@ double number(const Document& document, const std::string& key) {
 // The files of the document without the assignment, and the scripts of the figures.
 std::map<std::string, std::string> prose() {
   std::map<std::string, std::string> texts;
-  for (const std::string& file : sys::files_below(source_dir + "/report/sections")) {
-    texts[file] = sys::read_file(source_dir + "/report/sections/" + file);
+  for (const auto& file : std::filesystem::directory_iterator(source_dir + "/report/sections")) {
+    texts[file.path().filename()] = sys::read_file(file.path());
   }
   texts["report.tex"] = sys::read_file(source_dir + "/report/report.tex");
   return texts;
@@ -98,8 +99,8 @@ BOOST_AUTO_TEST_CASE(the_prose_uses_what_is_registered_and_nothing_else) {
 
 BOOST_AUTO_TEST_CASE(each_figure_has_a_script_and_no_script_is_left_over) {
   std::set<std::string> scripts;
-  for (std::string file : sys::files_below(source_dir + "/figures")) {
-    if (file != "style.gp") scripts.insert(file.substr(0, file.size() - 3));
+  for (const auto& file : std::filesystem::directory_iterator(source_dir + "/figures")) {
+    if (file.path().stem() != "style") scripts.insert(file.path().stem());
   }
   BOOST_TEST(scripts == keys(papers().document.figures()), boost::test_tools::per_element());
 }
