@@ -14,6 +14,8 @@ import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
+sys.dont_write_bytecode = True  # leaves nothing in the checkout
+
 import assignment as assignments
 import gradescope
 import sheet

@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import threading
 import time
 from dataclasses import dataclass
 from itertools import count
@@ -61,21 +62,19 @@ class Sandbox:
     def run(self, words, work, seconds, clock):
         """Runs a job that may write to its folder, to its end or until `clock` seconds have passed."""
         begin = time.monotonic()
-        is_hung = False
         with tempfile.TemporaryFile() as output:
-            with subprocess.Popen(self.command(words, work, seconds, writable=True), stdin=subprocess.DEVNULL, stdout=output,
-                                  stderr=output, cwd=work, start_new_session=True) as process:
-                try:
-                    process.wait(clock)
-                except subprocess.TimeoutExpired:
-                    is_hung = True
-                finally:
-                    if process.poll() is None:
-                        os.killpg(process.pid, signal.SIGKILL)
+            process = subprocess.Popen(self.command(words, work, seconds, writable=True), stdin=subprocess.DEVNULL, stdout=output,
+                                       stderr=output, cwd=work, start_new_session=True)
+            # Waiting with a limit of time would look only every 50 ms.
+            timer = threading.Timer(clock, os.killpg, (process.pid, signal.SIGKILL))
+            timer.start()
+            process.wait()
+            timer.cancel()
             self.clean()
             output.seek(0)
             text = output.read(MAX_TEXT).decode(errors="replace")
-        return Ended(process.returncode, text, time.monotonic() - begin, is_hung)
+        elapsed = time.monotonic() - begin
+        return Ended(process.returncode, text, elapsed, elapsed >= clock)
 
     def require(self):
         """Raises ToolFailure unless a job can run here."""

@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Given to students, so that the factorisation, which takes seconds to compile, is compiled once.
+// Given to students, so that they need no library for it. This header is part of the handout.
 #pragma once
 
-#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
 
 namespace exercise {
 
+/// A square matrix of n rows and columns, which begins as zeros.
+class Matrix {
+ public:
+  explicit Matrix(std::size_t n) : n_(n), entries_(n * n) {}
+
+  std::size_t size() const { return n_; }
+  const std::vector<double>& entries() const { return entries_; }  ///< row by row
+  double& operator()(std::size_t row, std::size_t column) { return entries_[row * n_ + column]; }
+  double operator()(std::size_t row, std::size_t column) const {
+    return entries_[row * n_ + column];
+  }
+
+ private:
+  std::size_t n_;
+  std::vector<double> entries_;
+};
+
 /// The x with matrix·x = right_side, by Gaussian elimination with partial pivoting.
-Eigen::VectorXd solve_linear_equations(const Eigen::MatrixXd& matrix,
-                                       const Eigen::VectorXd& right_side);
+std::vector<double> solve_linear_equations(const Matrix& matrix,
+                                           const std::vector<double>& right_side);
 
 }  // namespace exercise

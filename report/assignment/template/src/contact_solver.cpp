@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exercise 5: two cylinders pressed together.
-#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -42,24 +41,23 @@ Problem assemble(const Cylinders& cylinders, const Grid& grid, double datum, dou
 
 // Pressures at the touching nodes, and as the last unknown δ. The pressures are found in units of
 // 1/A_0, so that all columns of the matrix are of one order.
-Eigen::VectorXd solve_touching(const Problem& problem, const std::vector<int>& touching) {
-  const auto n = static_cast<Eigen::Index>(touching.size());
+std::vector<double> solve_touching(const Problem& problem, const std::vector<int>& touching) {
+  const std::size_t n = touching.size();
   const double unit = problem.influence[0];
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 1, n + 1);
-  Eigen::VectorXd right_side(n + 1);
-  for (Eigen::Index row = 0; row < n; ++row) {
-    const int i = touching[static_cast<std::size_t>(row)];
-    for (Eigen::Index column = 0; column < n; ++column) {
-      matrix(row, column) =
-          problem.coefficient(i, touching[static_cast<std::size_t>(column)]) / unit;
+  Matrix matrix(n + 1);
+  std::vector<double> right_side(n + 1);
+  for (std::size_t row = 0; row < n; ++row) {
+    const int i = touching[row];
+    for (std::size_t column = 0; column < n; ++column) {
+      matrix(row, column) = problem.coefficient(i, touching[column]) / unit;
     }
     matrix(row, n) = -1;
     matrix(n, row) = 1;
     right_side[row] = -problem.initial_gap[static_cast<std::size_t>(i)];
   }
   right_side[n] = problem.line_load / problem.grid.spacing * unit;
-  Eigen::VectorXd unknowns = solve_linear_equations(matrix, right_side);
-  unknowns.head(n) /= unit;
+  std::vector<double> unknowns = solve_linear_equations(matrix, right_side);
+  for (std::size_t row = 0; row < n; ++row) unknowns[row] /= unit;
   return unknowns;
 }
 
@@ -102,12 +100,11 @@ Contact solve_contact(const Cylinders& cylinders, const Grid& grid, double datum
   for (int i = 0; i < grid.n_nodes; ++i) touching.push_back(i);
   Contact contact{};
   for (int pass = 0; pass < 100; ++pass) {
-    const Eigen::VectorXd unknowns = solve_touching(problem, touching);
-    contact.approach = unknowns[unknowns.size() - 1];
+    const std::vector<double> unknowns = solve_touching(problem, touching);
+    contact.approach = unknowns.back();
     contact.pressure.assign(static_cast<std::size_t>(grid.n_nodes), 0);
     for (std::size_t k = 0; k < touching.size(); ++k) {
-      contact.pressure[static_cast<std::size_t>(touching[k])] =
-          unknowns[static_cast<Eigen::Index>(k)];
+      contact.pressure[static_cast<std::size_t>(touching[k])] = unknowns[k];
     }
     std::vector<int> revised = revise(problem, contact);
     if (revised == touching) break;
