@@ -32,12 +32,12 @@ configure = $(lock); [ "$$(cat build/configured 2>/dev/null)" = "$$PWD" ] || { \
 	  pwd >build/configured; }
 with_tests = $(configure); grep -q BUILD_TESTING:BOOL=ON build/release/CMakeCache.txt || \
 	cmake --preset release -DBUILD_TESTING=ON >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 2; }
-ninja = ninja -C build/release
+ninja = $(literate) build --folder build/release
 literate = python3 src/literate/tools/literate
 
 report: ## the report, build/report/report.pdf
 	@$(configure); if [ -z "$$CASE" ]; then $(ninja) report && echo build/report/report.pdf; else \
-	  $(ninja) --quiet report-program && $(literate) case build/report.json "$$CASE" "build/report-$$(basename "$$CASE" .toml)"; fi
+	  $(ninja) report-program && $(literate) case build/report.json "$$CASE" "build/report-$$(basename "$$CASE" .toml)"; fi
 figures: ## its numbers, tables and figures only, build/report/generated
 	@$(configure); $(ninja) report-figures
 check: report ## typed numbers, unused names and quotations in its prose
@@ -45,14 +45,14 @@ check: report ## typed numbers, unused names and quotations in its prose
 changes: report ## what changed since SINCE, with the places that print it
 	@$(literate) changes build/report.json "$${SINCE:-HEAD}"
 severity: ## which planted faults turn which claims, report/severity.csv
-	@$(configure); $(ninja) --quiet report-program && $(literate) severity build/report.json $${ONLY:+--only "$$ONLY"}
+	@$(configure); $(ninja) report-program && $(literate) severity build/report.json $${ONLY:+--only "$$ONLY"}
 verify: report ## builds the report elsewhere and compares the bytes
 	@$(literate) verify build/report.json $${MANIFEST:+--manifest "$$MANIFEST"}
 cases: ## the reports of CASES and one table, build/cases/cases.csv
-	@$(configure); $(ninja) --quiet report-program && $(literate) cases build/report.json -j "$${J:-1}" $$CASES
+	@$(configure); $(ninja) report-program && $(literate) cases build/report.json -j "$${J:-1}" $$CASES
 watch: ## builds the report after each save, until Ctrl-C
 	@git ls-files -co --exclude-standard | entr -c $(MAKE) --no-print-directory report
-dist: report ## packs the document for arXiv and journals, build/dist
+dist: report ## packs the document for arXiv, build/report/report.tar.gz
 	@$(literate) dist build/report.json
 html: ## the report as one page, build/report/report.html
 	@$(configure); $(ninja) report; $(literate) html build/report.json
@@ -61,16 +61,16 @@ site: ## page, PDF and data for any static host, build/report/site
 halfspace: ## the command line of the mechanics, build/release/halfspace
 	@$(configure); $(ninja) halfspace
 install: ## engine, halfspace, completion and man page, below PREFIX
-	@$(configure); $(ninja) --quiet halfspace literate-results && cmake --install build/release --prefix "$${PREFIX:-/usr/local}"
+	@$(configure); $(ninja) halfspace literate-results && cmake --install build/release --prefix "$${PREFIX:-/usr/local}"
 course: ## the assignment; without DO its help
 	@if [ -z "$$DO" ]; then python3 src/course/course.py --help; exit; fi; $(configure); \
 	  case $$DO in gradescope) judge=halfspace-judge-static ;; *) judge=halfspace-judge ;; esac; \
-	  $(ninja) --quiet $$judge && python3 -B src/course/course.py $$DO $${SUBMISSIONS:+"$$SUBMISSIONS"} $${CLASS:+--class "$$CLASS"} \
+	  $(ninja) $$judge && python3 -B src/course/course.py $$DO $${SUBMISSIONS:+"$$SUBMISSIONS"} $${CLASS:+--class "$$CLASS"} \
 	    $${J:+--jobs "$$J"} $${SANDBOX:+--sandbox "$$SANDBOX"}
 test: ## the everyday tests
-	@$(with_tests); $(ninja) --quiet everyday_tests && ctest --preset everyday -j $$(($$(nproc) + 1))
+	@$(with_tests); $(ninja) everyday_tests && ctest --preset everyday -j $$(($$(nproc) + 1))
 test-all: ## every test
-	@$(with_tests); $(ninja) --quiet all && ctest --preset release -j $$(($$(nproc) + 1))
+	@$(with_tests); $(ninja) all && ctest --preset release -j $$(($$(nproc) + 1))
 bench: ## benchmarks, build/bench/bench.json
 	@$(lock); cmake --preset bench >build/configure.log && ninja -C build/bench --quiet halfspace_bench && \
 	  build/bench/halfspace_bench --benchmark_out=build/bench/bench.json --benchmark_out_format=json
