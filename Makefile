@@ -1,86 +1,88 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The targets of the project, a line each. CMake (CMakePresets.json) and Ninja know the dependencies; this file only names targets.
+# Names for what CMake, Ninja and src/literate/tools/literate do; `make help` lists them, with these variables:
 #
-#   CASE=file.toml   another parameter file than report/ruggiero2001.toml, relative to where you call make; writes to build/report-file
-#   CASES='cases/*.toml' J=2 KEYS='key …'   report: one for each of these files, how many at a time, what to compare
-#   SITE=https://…   site: the address at which it will stand
-#   NAME=name        figures: this one alone, as a picture
-#   PAPER=file       check-report: the text of the paper, against which every quotation is held
-#   RECORD=1         check-report: keep the results beside the prose; commit them, and later it lists what must be read again
-#   MANIFEST=file    verify: compare with the manifest of a report made elsewhere instead of making it twice
-#   DEPTH=traced     verify: holds hashes against the manifest and runs nothing; PDF=file, of this file alone
-#   DEPTH=sampled    verify: computes some claims again, CLAIMS='id …' or drawn by SEED=number; without DEPTH all is made again
-#   SINCE=tag        changes: a tag, a commit, or the manifest of a report made elsewhere
-#   KINDS=faults,interruptions,cases ONLY=text   faults: of what kind, and of which name
-#   ONLY=id          mutants, severity: this one alone
-#   EDITS=1          bench: what an author's edits cost, here and with knitr
-#   DEPTH=bare       verify: the README's two commands on Debians that have nothing yet (as root; takes long), SUITES='bookworm trixie container'
-#   DO=task          course: which; its variables are told by 'make course'
-#   TIMEOUT=seconds  how long the computation, gnuplot or LaTeX may take before they are stopped; TIMEOUT= for any time
-#   V=1              show the commands
-
-#@ To read
-report: ## the report, build/report/report.pdf; with CASES one for each case, and build/reports/cases.csv
-html: ## the report as one page, build/report/report.html (first: make setup html)
-site: ## page, PDF, data and assignment sheet for any static host, build/report/site
-dist: ## the document as arXiv and journals take it, build/dist/report.tar.gz
-halfspace: ## the command line of the mechanics, build/release/halfspace
-install: ## this program, its man page and completions, below PREFIX, /usr/local without it
-
-#@ To look while you write
-watch: ## builds the report after each save, until Ctrl-C
-figures: ## its values, tables and figures only, build/report/generated; with NAME one as a picture, build/figures/NAME.png
-check-report: ## its prose: unknown and unused names, typed numbers; and what does not hold
-severity: ## which planted faults turn which claims, report/severity.csv; a run that was stopped goes on
-why: ## why the report would be built again
-changes: ## what changed since SINCE: values, figures, verdicts with the sentences that print them, an answer to referees, and a marked PDF
-
-#@ To prove
-test: ## the everyday tests, which take a few minutes
-test-all: ## every test, also those that take minutes each; continuous integration runs this
-faults: ## breaks and interrupts the making of the report in every way known, and has the next make recover
-mutants: ## plants faults, each of which must turn a test or the report red
-verify: ## makes the report again elsewhere and asks for the same bytes; with DEPTH less and a certificate, or more
-bench: ## benchmarks, build/bench/bench.json
-
-#@ To teach
-course: ## the course: handouts, grading, results; without DO it lists the tasks
-
-#@ To keep house
-tidy: ## clang-format and clang-tidy on every source
-setup: ## installs what the targets behind it lack, and they are made: make setup report, make setup test
-clean: ## remove everything built
-help: ## this list
-
-targets := $(shell sed -n 's/^\([a-z-]*\): \#\# .*/\1/p' $(lastword $(MAKEFILE_LIST)))
-.PHONY: $(targets)
+#   CASE=mine.toml         report: of a different case, in build/report-mine
+#   CASES='x/*.toml' J=2   cases: these, and how many at a time
+#   PAPER=file             check: the text in which quotations are looked up
+#   SINCE=commit           changes: or a results.json or manifest.json
+#   ONLY=id                severity: one fault only
+#   MANIFEST=file          verify: compare numbers with a report made elsewhere
+#   DO=prove               course: or gradescope; or grade, with SUBMISSIONS=folder
+#                          and CLASS=file, the table that Moodle or Canvas exported
+#   PREFIX=folder          install: instead of /usr/local
 .DEFAULT_GOAL := report
-# Two targets at once would run Ninja twice in one folder. Ninja itself runs commands in parallel.
 .NOTPARALLEL:
+targets := $(shell sed -n 's/^\([a-z-]*\):.* \#\# .*/\1/p' $(lastword $(MAKEFILE_LIST)))
+variables := CASE CASES J SINCE PAPER MANIFEST ONLY DO SUBMISSIONS CLASS SANDBOX PREFIX
+.PHONY: $(targets)
+export LC_ALL := C.UTF-8
 
-# Before anything is installed or made.
+# A misspelt target or variable would otherwise do something else than was meant.
 unknown := $(firstword $(filter-out $(targets),$(MAKECMDGOALS)))
-$(if $(unknown),$(error there is no target $(unknown); 'make help' lists them))
+$(if $(unknown),$(error there is no target '$(unknown)'; 'make help' lists them))
+given := $(foreach name,$(.VARIABLES),$(if $(filter command line,$(origin $(name))),$(name)))
+unknown := $(firstword $(filter-out $(variables) V MAKEFLAGS,$(given)))
+$(if $(unknown),$(error there is no variable '$(unknown)'; they are $(variables)))
+export $(variables)
 
-# The scripts read the variables of the command line from the environment, because make would split paths at spaces. Of a
-# shell's own NAME nobody here knows.
-export CALLER := $(value PWD)
-ifeq ($(origin NAME),environment)
-unexport NAME
-endif
+# One make at a time. CMake starts from nothing where the checkout was moved; Ninja sees everything else.
+lock = mkdir -p build && exec 9>build/.lock && flock 9
+configure = $(lock); [ "$$(cat build/configured 2>/dev/null)" = "$$PWD" ] || { \
+	  cmake --fresh --preset release >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 2; }; \
+	  pwd >build/configured; }
+with_tests = $(configure); grep -q BUILD_TESTING:BOOL=ON build/release/CMakeCache.txt || \
+	cmake --preset release -DBUILD_TESTING=ON >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 2; }
+ninja = ninja -C build/release
+literate = python3 src/literate/tools/literate
 
-# Messages, number formats and sorting are the same for everyone.
-export LC_ALL := C
-
-$(filter-out setup install help,$(targets)):
-	@bash src/toolchain/build $@
-
-install: halfspace
-	@cmake --install build/release --component halfspace --prefix "$(or $(PREFIX),/usr/local)"
-
-setup:
+report: ## the report, build/report/report.pdf
+	@$(configure); if [ -z "$$CASE" ]; then $(ninja) report && echo build/report/report.pdf; else \
+	  $(ninja) --quiet report-program && $(literate) case build/report.json "$$CASE" "build/report-$$(basename "$$CASE" .toml)"; fi
+figures: ## its numbers, tables and figures only, build/report/generated
+	@$(configure); $(ninja) report-figures
+check: report ## typed numbers, unused names and quotations in its prose
+	@$(literate) check build/report.json $${PAPER:+--paper "$$PAPER"}
+changes: report ## what changed since SINCE, with the places that print it
+	@$(literate) changes build/report.json "$${SINCE:-HEAD}"
+severity: ## which planted faults turn which claims, report/severity.csv
+	@$(configure); $(ninja) --quiet report-program && $(literate) severity build/report.json $${ONLY:+--only "$$ONLY"}
+verify: report ## builds the report elsewhere and compares the bytes
+	@$(literate) verify build/report.json $${MANIFEST:+--manifest "$$MANIFEST"}
+cases: ## the reports of CASES and one table, build/cases/cases.csv
+	@$(configure); $(ninja) --quiet report-program && $(literate) cases build/report.json -j "$${J:-1}" $$CASES
+watch: ## builds the report after each save, until Ctrl-C
+	@git ls-files -co --exclude-standard | entr -c $(MAKE) --no-print-directory report
+dist: report ## packs the document for arXiv and journals, build/dist
+	@$(literate) dist build/report.json
+html: ## the report as one page, build/report/report.html
+	@$(configure); $(ninja) report; $(literate) html build/report.json
+site: ## page, PDF and data for any static host, build/report/site
+	@$(configure); $(ninja) report; $(literate) site build/report.json CITATION.cff
+halfspace: ## the command line of the mechanics, build/release/halfspace
+	@$(configure); $(ninja) halfspace
+install: ## engine, halfspace, completion and man page, below PREFIX
+	@$(configure); $(ninja) --quiet halfspace literate-results && cmake --install build/release --prefix "$${PREFIX:-/usr/local}"
+course: ## the assignment; without DO its help
+	@if [ -z "$$DO" ]; then python3 src/course/course.py --help; exit; fi; $(configure); \
+	  case $$DO in gradescope) judge=halfspace-judge-static ;; *) judge=halfspace-judge ;; esac; \
+	  $(ninja) --quiet $$judge && python3 -B src/course/course.py $$DO $${SUBMISSIONS:+"$$SUBMISSIONS"} $${CLASS:+--class "$$CLASS"} \
+	    $${J:+--jobs "$$J"} $${SANDBOX:+--sandbox "$$SANDBOX"}
+test: ## the everyday tests
+	@$(with_tests); $(ninja) --quiet everyday_tests && ctest --preset everyday -j $$(($$(nproc) + 1))
+test-all: ## every test
+	@$(with_tests); $(ninja) --quiet all && ctest --preset release -j $$(($$(nproc) + 1))
+bench: ## benchmarks, build/bench/bench.json
+	@$(lock); cmake --preset bench >build/configure.log && ninja -C build/bench --quiet halfspace_bench && \
+	  build/bench/halfspace_bench --benchmark_out=build/bench/bench.json --benchmark_out_format=json
+tidy: ## clang-format and clang-tidy on every source
+	@$(lock); git ls-files 'src/*.[ch]pp' 'tests/*.[ch]pp' | xargs clang-format -i && \
+	  cmake --preset tidy >build/configure.log && ninja -C build/tidy all
+setup: ## installs Debian packages: make setup report
 	@sh src/toolchain/setup $(filter-out setup clean help,$(MAKECMDGOALS))
-
-help:
-	@awk -F ': ## ' '/^#@ / { print substr($$0, 4) } /^[a-z-]+: ## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
-	@awk 'BEGIN { print "Variables" } /^#   [A-Z]/ { sub(/^#  /, ""); print }' Makefile
+clean: ## removes everything that was built
+	@rm -rf build
+help: ## this list
+	@sed -n 's/^\([a-z-]*\):.* ## /  make \1\t/p' Makefile | expand -t 19
+	@sed -n 's/^#  \( .*\)/\1/p' Makefile
+	@printf '%s lines in src, %s in tests; src/budget.txt limits each folder\n' \
+	  "$$(git ls-files src | xargs cat | wc -l)" "$$(git ls-files tests | xargs cat | wc -l)"

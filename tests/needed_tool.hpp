@@ -7,7 +7,7 @@
 #include <string>
 
 #include "system/error.hpp"
-#include "system/process.hpp"
+#include "system/tool.hpp"
 
 /// Ends the program as skipped, with one line that says what was not tested and why.
 [[noreturn]] inline void skip_tests(const std::string& untested, const std::string& why) {

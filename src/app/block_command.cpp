@@ -10,7 +10,7 @@
 #include "block/analysis.hpp"
 #include "block/measures.hpp"
 #include "block/rectangle.hpp"
-#include "command_line/stage.hpp"
+#include "command_line/stopwatch.hpp"
 #include "system/error.hpp"
 
 namespace app {
@@ -31,9 +31,9 @@ struct BlockOptions {
   Flag x{command, "--x", "LENGTH", "Block",
          "Points of the top, whose displacements are measure1, measure2 and so on [the case's]"};
   Flag order{command, "--order", "COUNT", "Solution",
-             "Polynomial order of the elements, 2 to 10 [7, or the case's]"};
+             "Polynomial order of the elements, 4 to 10 [7, or the case's]"};
   Flag refine{command, "--refine", "COUNT", "Solution",
-              "Level of refinement, 0 to 6 [1, or the case's]"};
+              "Level of refinement, 1 to 4 [1, or the case's]"};
   Output output{command, "[half_space] and [block]"};
 };
 
@@ -71,6 +71,18 @@ void add_measures(Result& result, const std::vector<block::MeasureEstimate>& mea
   result.table = {names, values, errors, of_units};
 }
 
+// The discs in which stresses have no limit, and which their maxima leave out.
+void add_left_out(Result& result, const std::vector<block::Disc>& discs, const std::string& unit) {
+  result.details["left_out"] = Json::array();
+  for (const block::Disc& disc : discs) {
+    result.details["left_out"].push_back(
+        {{"x", disc.x}, {"y", -disc.z}, {"radius", disc.radius}, {"unit", unit}});
+    result.notes.push_back(
+        fmt::format("stresses leave out {:.3g} {} about ({:.6g}, {:.6g}), where they have no limit",
+                    disc.radius, unit, disc.x, 0 - disc.z));
+  }
+}
+
 ExitCode run(const BlockOptions& options) {
   const Given given = options.output.given();
   const config::UnitSystem& units = given.units;
@@ -100,9 +112,9 @@ ExitCode run(const BlockOptions& options) {
   block::Discretization discretization;
   if (from_case) discretization = from_case->discretization;
   discretization.order =
-      static_cast<int>(options.order.count(2, 10).value_or(discretization.order));
+      static_cast<int>(options.order.count(4, 10).value_or(discretization.order));
   discretization.refine =
-      static_cast<int>(options.refine.count(0, 6).value_or(discretization.refine));
+      static_cast<int>(options.refine.count(1, 4).value_or(discretization.refine));
   std::vector<double> points = options.x.quantities(units.length);
   if (points.empty() && half_space) points = half_space->points;
 
@@ -119,6 +131,7 @@ ExitCode run(const BlockOptions& options) {
   result.notes.push_back(
       fmt::format("{} unknowns; x along the top, y upwards", supported.fine().n_unknowns()));
   add_measures(result, measures, units);
+  add_left_out(result, solution.left_out(), units.length);
   return options.output.print(result, [&] {
     return Picture{fmt::format("x ({})", units.length),
                    fmt::format("u_z ({})", units.length),

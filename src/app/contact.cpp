@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/csv_files.hpp"
-#include "command_line/stage.hpp"
+#include "command_line/stopwatch.hpp"
 #include "contact/limits.hpp"
 #include "line_contact/dense_methods.hpp"
 #include "line_contact/solver.hpp"

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "system/error.hpp"
-#include "system/process.hpp"
+#include "system/tool.hpp"
 
 namespace app {
 namespace fs = std::filesystem;

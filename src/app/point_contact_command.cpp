@@ -8,7 +8,7 @@
 #include "app/commands.hpp"
 #include "app/csv_files.hpp"
 #include "app/output.hpp"
-#include "command_line/stage.hpp"
+#include "command_line/stopwatch.hpp"
 #include "contact/limits.hpp"
 #include "point_contact/bodies/profile.hpp"
 #include "point_contact/closed_forms/hertz_elliptic.hpp"

@@ -40,10 +40,4 @@ ExitCode run_guarded(const std::function<ExitCode()>& command) {
   }
 }
 
-ExitCode answer_faults(const std::vector<std::string>& faults) {
-  ExitCode exit_code = ExitCode::success;
-  for (const std::string& fault : faults) exit_code = complain(fault, ExitCode::failed);
-  return exit_code;
-}
-
 }  // namespace command_line

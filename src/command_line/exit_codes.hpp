@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "system/error.hpp"
 
@@ -11,8 +10,8 @@ namespace command_line {
 
 using sys::ExitCode;
 
-/// What all messages of this program begin with: the name that it was started by, unless another
-/// one was set.
+/// What all messages of this program begin with: the name that it was started by, unless a
+/// different one was set.
 std::string program_name();
 void set_program_name(const std::string& name);
 
@@ -21,8 +20,5 @@ ExitCode complain(const std::string& message, ExitCode exit_code);
 
 /// Runs a command; turns what it throws into one message on standard error and its exit code.
 ExitCode run_guarded(const std::function<ExitCode()>& command);
-
-/// Prints each fault of a document as a line on standard error: failed if there is any.
-ExitCode answer_faults(const std::vector<std::string>& faults);
 
 }  // namespace command_line

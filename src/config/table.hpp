@@ -1,66 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "config/printed_number.hpp"
 #include "config/units.hpp"
 #include "system/require.hpp"
 
 namespace config {
 
-/// A case file with a mistake. what() is one line: «file:line:column: key: what is wrong». What the
-/// file or its name holds of line breaks and other control characters is written as \n or \x1b.
+/// A case file with a mistake. what() is one line: «file:line:column: key: what is wrong».
 class Error : public sys::InputError {
  public:
-  explicit Error(const std::string& message);
+  using InputError::InputError;
 };
 
-/// Whether two TOML files say the same, whatever their comments and their layout; never if one of
-/// them is not TOML.
-bool say_the_same(const std::string& a, const std::string& b);
-
 /// A table of a TOML file that is read strictly: a key that is missing, has the wrong type or unit,
-/// or was never asked for is an error with its place in the file. The nearest key that may be meant
-/// is told.
+/// or was never asked for is an error with its place in the file, and the nearest key.
 ///
 /// A quantity is written {value = 30e6, unit = "psi"}; it may have any unit of the right dimension
-/// and is converted to that of the given system as config::converted does. A copy is a view of the
-/// same file.
+/// and is converted as config::converted does. A copy is a view of the same file.
 class Table {
  public:
   /// Parses a file; throws Error if it cannot be read or is not TOML (doubled keys included).
   static Table parse_file(const std::filesystem::path& path);
 
   bool has(const std::string& key) const;
+  /// All keys of the table, sorted.
+  std::vector<std::string> keys() const;
+
   Table table(const std::string& key) const;
-
-  /// The tables of an array of tables, [[key]]; none if the key is missing.
-  std::vector<Table> tables(const std::string& key) const;
-
   std::string text(const std::string& key) const;
+  std::vector<std::string> texts(const std::string& key) const;
   double number(const std::string& key) const;
+  std::vector<double> numbers(const std::string& key) const;
   long integer(const std::string& key) const;
   double quantity(const std::string& key, Dimension dimension, const UnitSystem& units) const;
   /// The same in any unit that UDUNITS-2 knows, such as "m/s2".
   double quantity(const std::string& key, const std::string& unit) const;
-  std::vector<double> numbers(const std::string& key) const;
-  /// Several quantities of one unit: {value = [1, 2.5], unit = "in"}.
-  std::vector<double> quantities(const std::string& key, const std::string& unit) const;
-  std::vector<PrintedNumber> printed_numbers(const std::string& key) const;
-  PrintedNumber printed_number(const std::string& key) const;
-  std::vector<std::string> texts(const std::string& key) const;
-
-  /// A date and time with its offset from UTC, such as 2027-01-15T23:59:00Z.
-  std::chrono::sys_seconds instant(const std::string& key) const;
-
-  /// All keys of the table, sorted.
-  std::vector<std::string> keys() const;
 
   /// Whether the key is there and its value is the given text.
   bool is_text(const std::string& key, const std::string& text) const;

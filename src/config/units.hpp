@@ -19,8 +19,7 @@ class UnitError : public sys::InputError {
 enum class Dimension { none, length, force, stress, line_load, density };
 
 /// A coherent system of units: stress = force/length² and line load = force/length, so that
-/// formulas need no factors. UDUNITS-2 knows the spellings, and text, LaTeX and gnuplot can print
-/// them.
+/// formulas need no factors. UDUNITS-2 knows the spellings.
 struct UnitSystem {
   std::string name;
   std::string length;
@@ -34,7 +33,7 @@ struct UnitSystem {
 };
 
 /// The systems that a case may choose from: in-lbf (in, lbf, psi), mm-N (mm, N, MPa), m-N (m, N,
-/// Pa). The first is the paper's and the default.
+/// Pa). The first is the default.
 const std::vector<UnitSystem>& unit_systems();
 
 /// The system of that name; throws UnitError that lists the names for any other.
@@ -43,17 +42,10 @@ const UnitSystem& unit_system(std::string_view name);
 /// Whether UDUNITS-2 knows a unit.
 bool is_unit(const std::string& name);
 
-/// Returns the quantity `number` of the unit `from` in the unit `to`: the product of the decimal
-/// number that prints as `number` and the factor as it is defined, so that 39.4 in are 1.00076 m. A
-/// product that has no end, or more digits than a double, is rounded to the 15, 16 or 17 digits
-/// that a double prints rightly, so that 3 psi are 20684.27187950508 Pa. Throws UnitError if a unit
-/// is unknown; if the dimensions differ; if the powers of an angle in them do, as in rpm and Hz,
-/// which counts cycles; if the one is no positive multiple of the other, as units with an offset or
-/// a logarithm are not; and if a unit has no exact definition that is known, as the year.
+/// Returns the quantity `number` of the unit `from` in the unit `to`, as UDUNITS-2 defines both,
+/// rounded to 15 digits, so that 39.4 in are 1.00076 m. Throws UnitError if a unit is unknown, if
+/// the dimensions differ, and if the one is no positive multiple of the other, as with an offset
+/// (degC) or a reciprocal.
 double converted(double number, const std::string& from, const std::string& to);
-
-/// Whether what converted() returns prints as the quantity itself and is not rounded: 39.4 in are
-/// 1.00076 m, but 15 km/h are 9.3205… mi/h.
-bool converts_exactly(double number, const std::string& from, const std::string& to);
 
 }  // namespace config

@@ -41,16 +41,16 @@ void compute_block(Document& document, const Case& from) {
   document.value("block.displacement-error", Value(error, scientific(1).rounded_up()).as_is());
   document.check(
       "block-discretisation",
-      {Criterion::at_most("largest change over the displacement in the middle",
+      {Criterion::at_most("largest error over the displacement in the middle",
                           Value(error, scientific(1).rounded_up()).as_is(),
                           Limit(2e-4, LimitKind::choice, "far less than what is read from them"))},
-      "refinement changes the displacements of the block by little; a higher "
+      "the displacements of the block err by little; a higher "
       "block.order or block.refine leaves less");
 
   const Estimate level = study.level(study.under_triangle(), 0);
   const double end = h.farthest_point();
   document.value("block.level-varies-by",
-                 Value(abs(study.level(study.under_triangle(), end) - level), scientific(2), unit));
+                 Value(abs(study.level(study.under_triangle(), end) - level), scientific(1), unit));
   document.value("block.equivalent-datum", Value(equivalent_datum(h, level), significant(2), unit));
   document.value("block.sides", Value::text(name_of(b.sides)));
   document.value("block.level", Value(level, scientific(4), unit));

@@ -6,16 +6,15 @@
 #include <string>
 #include <utility>
 
-#include "config/printed_number.hpp"
 #include "config/units.hpp"
 #include "line_contact/cylinders.hpp"
 #include "literate/document/document.hpp"
 #include "numerics/estimate.hpp"
 #include "parameters/case.hpp"
+#include "parameters/printed_number.hpp"
 
 namespace paper {
 
-using config::PrintedNumber;
 using config::UnitSystem;
 using line_contact::Hertz;
 using literate::Cell;
@@ -41,6 +40,7 @@ using parameters::BlockCase;
 using parameters::ContactCase;
 using parameters::HalfSpaceCase;
 using parameters::PointContactCase;
+using parameters::PrintedNumber;
 
 /// A number with a standard uncertainty and no bound.
 inline Number number_with(double value, double standard) {

@@ -14,7 +14,7 @@ using Numbers = std::map<std::string, PrintedNumber>;
 
 std::vector<PrintedNumber> column(const config::Table& table, const std::string& key,
                                   std::size_t n_points) {
-  std::vector<PrintedNumber> numbers = table.printed_numbers(key);
+  std::vector<PrintedNumber> numbers = parameters::printed_numbers(table, key);
   if (numbers.size() != n_points) {
     table.fail(key, fmt::format("{} numbers for {} points", numbers.size(), n_points));
   }
@@ -22,14 +22,14 @@ std::vector<PrintedNumber> column(const config::Table& table, const std::string&
 }
 
 PrintedFigure5 read_figure5(const config::Table& table) {
-  const std::vector<PrintedNumber> x = table.printed_numbers("x");
+  const std::vector<PrintedNumber> x = parameters::printed_numbers(table, "x");
   const std::size_t n = x.size();
   return {x, column(table, "fea_magnitude", n), column(table, "fea_z", n),
           column(table, "analytical", n), column(table, "error", n)};
 }
 
 PrintedTriDist read_tri_dist(const config::Table& table, std::size_t n_points) {
-  const auto typed = [&](const char* key) { return table.printed_number(key); };
+  const auto typed = [&](const char* key) { return parameters::printed_number(table, key); };
   return {typed("young"),
           typed("poisson"),
           typed("peak_pressure"),
@@ -42,7 +42,7 @@ PrintedTriDist read_tri_dist(const config::Table& table, std::size_t n_points) {
 // Numbers under any names, of which the report needs some.
 Numbers read_numbers(const config::Table& table, const std::vector<std::string>& needed) {
   Numbers numbers;
-  for (const std::string& key : table.keys()) numbers.emplace(key, table.printed_number(key));
+  for (const std::string& key : table.keys()) numbers.emplace(key, parameters::printed_number(table, key));
   for (const std::string& key : needed) {
     if (!numbers.contains(key)) table.fail(key, "missing");
   }
@@ -60,7 +60,7 @@ PrintedAppendix2 read_appendix2(const config::Table& table, std::size_t n_points
   }
   const config::Table error = table.table("stress_error");
   return {
-      {error.printed_number("rms"), error.printed_number("of_largest")},
+      {parameters::printed_number(error, "rms"), parameters::printed_number(error, "of_largest")},
       read_numbers(table.table("measures"), measures),
       read_numbers(table.table("convergence"), convergences),
       read_numbers(table.table("mass_properties"),
@@ -69,7 +69,7 @@ PrintedAppendix2 read_appendix2(const config::Table& table, std::size_t n_points
 }
 
 PrintedContactM read_contact_m(const config::Table& table) {
-  const auto typed = [&](const char* key) { return table.printed_number(key); };
+  const auto typed = [&](const char* key) { return parameters::printed_number(table, key); };
   return {typed("load"),  typed("young"),   typed("poisson"), typed("radius1"),  typed("radius2"),
           typed("datum"), typed("spacing"), typed("n_nodes"), typed("zero_node")};
 }

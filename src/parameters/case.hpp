@@ -8,7 +8,6 @@
 
 #include "block/discretization.hpp"
 #include "block/rectangle.hpp"
-#include "config/printed_number.hpp"
 #include "config/table.hpp"
 #include "config/units.hpp"
 #include "elasticity/material.hpp"

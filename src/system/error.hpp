@@ -9,9 +9,9 @@ namespace sys {
 /// The exit status of a program.
 enum class ExitCode : int {
   success = 0,
-  failed = 1,       ///< a check, a claim or a lint did not hold, or a computation failed
+  failed = 1,       ///< a check or a claim did not hold, or a computation failed
   bad_input = 2,    ///< a flag, a file or a folder that the user gave is wrong
-  tool_failed = 3,  ///< gnuplot, LaTeX or another outside tool is missing or failed
+  tool_failed = 3,  ///< gnuplot or a different outside tool is missing or failed
 };
 
 /// An error that the user can do something about. what() is the message for standard error, without
@@ -33,20 +33,13 @@ class InputError : public Error {
   explicit InputError(const std::string& message) : Error(ExitCode::bad_input, message) {}
 };
 
-/// The markers in a source file are wrong; what() is «file:line: message».
-class SourceError : public InputError {
- public:
-  using InputError::InputError;
-};
-
 /// A file or folder cannot be read or written; what() names it.
 class OutputError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Another program, such as gnuplot or latexmk, is missing or failed. what() has that program's own
-/// message with its file and line.
+/// A different program, such as gnuplot, is missing or failed.
 class ToolError : public Error {
  public:
   explicit ToolError(const std::string& message) : Error(ExitCode::tool_failed, message) {}

@@ -4,11 +4,9 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace sys {
 
@@ -25,46 +23,6 @@ bool write_if_changed(const std::filesystem::path& file, std::string_view text);
 
 /// Removes a file if it is there; throws OutputError naming it if that fails.
 void remove_file(const std::filesystem::path& file);
-
-/// Returns the SHA-256 of a text in lower-case hexadecimal.
-std::string sha256_of_text(std::string_view text);
-
-/// Returns the SHA-256 of a file's bytes; throws OutputError naming a file that cannot be read.
-std::string sha256_of_file(const std::filesystem::path& file);
-
-/// Lists all regular files below a folder, sorted, as generic paths relative to it; throws
-/// OutputError if it cannot be read.
-std::vector<std::string> files_below(const std::filesystem::path& folder);
-
-/// A file's name from a folder on, as a generic path; none if it lies elsewhere. Both are whole
-/// paths.
-std::optional<std::string> name_below(const std::filesystem::path& folder,
-                                      const std::filesystem::path& file);
-
-/// What a file was, or something else that a result depends on.
-struct RecordEntry {
-  std::string digest;  ///< a SHA-256; "-" for a file that is not there
-  std::string name;
-};
-
-/// What was read or made, in the order in which it was recorded.
-using Record = std::vector<RecordEntry>;
-
-/// The entry for a file below a folder, as the file is now.
-RecordEntry record_entry(const std::filesystem::path& folder, const std::string& file);
-
-/// The entries for several files below a folder.
-Record record_entries(const std::filesystem::path& folder, const std::vector<std::string>& files);
-
-/// Whether a file below this folder is there and has the digest of its entry.
-bool is_as_recorded(const std::filesystem::path& folder, const RecordEntry& entry);
-
-/// Writes a line «digest  name» for each entry, as `sha256sum --check` reads it.
-std::string record_text(const Record& record);
-
-/// Reads what record_text wrote, passing over lines that begin with '#'; none if another line is
-/// not of this form.
-std::optional<Record> parse_record(std::string_view text);
 
 /// A file descriptor, closed at the end of its scope.
 class Descriptor {

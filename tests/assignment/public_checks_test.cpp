@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assignment/assignment.hpp"
-
 #include <boost/test/unit_test.hpp>
 #include <set>
 
@@ -8,8 +6,8 @@
 
 BOOST_AUTO_TEST_SUITE(public_checks_test)
 
-using course::Numbers;
-using course::Program;
+using judge::Numbers;
+using judge::Program;
 using programs::misled;
 using programs::scaled;
 using programs::spoiled;
@@ -19,7 +17,7 @@ namespace {
 using Ids = std::set<std::string>;
 
 Ids failed(const Program& program) {
-  return programs::failed(assignment::public_checks(), program);
+  return programs::failed(programs::Kind::public_checks, program);
 }
 
 void require_failed(const Program& program, const Ids& expected) {
@@ -29,8 +27,8 @@ void require_failed(const Program& program, const Ids& expected) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(right_functions_pass_every_check_for_every_variant) {
-  programs::check_right(assignment::public_checks());
+BOOST_AUTO_TEST_CASE(right_functions_pass_every_check_whatever_the_numbers) {
+  programs::require_right(programs::Kind::public_checks);
 }
 
 BOOST_AUTO_TEST_CASE(a_lost_sign_of_the_slope_shows) {

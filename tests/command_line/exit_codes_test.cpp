@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "block/element_stiffness.hpp"
-#include "command_line/options.hpp"
 #include "config/table.hpp"
 #include "contact/contact_search.hpp"
 #include "numerics/quadrature.hpp"
@@ -36,7 +35,6 @@ BOOST_AUTO_TEST_CASE(bad_input_of_any_kind_is_two) {
   BOOST_TEST(code_of(config::UnitError("unknown unit")) == 2);
   BOOST_TEST(code_of(sys::InputError("--x")) == 2);
   BOOST_TEST(code_of(sys::OutputError("cannot write")) == 2);
-  BOOST_TEST(code_of(sys::SourceError("file:1: no end")) == 2);
 }
 
 BOOST_AUTO_TEST_CASE(a_tool_that_is_missing_or_fails_is_three) {

@@ -13,8 +13,9 @@
 #include <string_view>
 #include <vector>
 
+#include "csv_rows.hpp"
+#include "run_shell.hpp"
 #include "system/files.hpp"
-#include "system/process.hpp"
 #include "system/text.hpp"
 #include "temporary_folder.hpp"
 
@@ -52,13 +53,9 @@ inline Outcome run_program(const Words& words, const Surroundings& surroundings 
   const TemporaryFolder scratch;
   const std::string output = (scratch.path() / "output").string();
   const std::string errors = (scratch.path() / "errors").string();
-  const Words shell = {"-c",   R"(o=$1 e=$2; shift 2; exec "$@" >"$o" 2>"$e")",
-                       "sh",   output,
-                       errors, HALFSPACE_PROGRAM};
-  const auto result = sys::run({.program = "sh",
-                                .arguments = shell + words,
-                                .working_directory = surroundings.folder,
-                                .environment = surroundings.environment});
+  const Words arguments = {output, errors, HALFSPACE_PROGRAM};
+  const auto result = run_shell(R"(o=$1 e=$2; shift 2; exec "$@" >"$o" 2>"$e")", arguments + words,
+                                surroundings.folder, surroundings.environment);
   return {result.exit_status, sys::read_file(output), sys::read_file(errors)};
 }
 
@@ -78,17 +75,13 @@ inline json json_of(const Words& command) {
 using Columns = std::map<std::string, std::vector<std::string>>;
 
 inline Columns csv_of(const Words& command) {
-  const std::string text = output_of(command + Words{"--format", "csv"});
+  const auto rows = csv_rows_of(output_of(command + Words{"--format", "csv"}));
+  BOOST_TEST_REQUIRE(!rows.empty());
+  const Words& names = rows.front();
   Columns columns;
-  Words names;
-  for (const std::string_view line : sys::lines_of(text)) {
-    const Words cells = sys::split(line, ',');
-    if (names.empty()) {
-      names = cells;
-      continue;
-    }
-    BOOST_TEST_REQUIRE(cells.size() == names.size());
-    for (std::size_t i = 0; i < names.size(); ++i) columns[names[i]].push_back(cells[i]);
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    BOOST_TEST_REQUIRE(rows[row].size() == names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) columns[names[i]].push_back(rows[row][i]);
   }
   return columns;
 }

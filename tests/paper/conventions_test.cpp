@@ -2,11 +2,26 @@
 #include "paper/conventions.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(conventions_test)
 
 using paper::decimals_of;
+
+BOOST_AUTO_TEST_CASE(a_printed_number_is_known_to_half_a_unit_of_its_last_place) {
+  const auto close = boost::test_tools::tolerance(1e-12);
+  BOOST_TEST(paper::as_estimate(config::PrintedNumber("1.594637E-06")).abs_error == 5e-13, close);
+  BOOST_TEST(paper::as_estimate(config::PrintedNumber("-16.0")).abs_error == 0.05, close);
+}
+
+BOOST_AUTO_TEST_CASE(the_other_component_is_a_leg_of_the_triangle) {
+  // 5² − 4² = 3²; difference and sum are each known to 0.001
+  const auto other =
+      paper::other_component(config::PrintedNumber("5.000"), config::PrintedNumber("4.000"));
+  BOOST_TEST(other.value == 3, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(other.abs_error == 3 - std::sqrt(0.999 * 8.999), boost::test_tools::tolerance(1e-9));
+}
 
 BOOST_AUTO_TEST_CASE(the_point_with_most_decimals_decides) {
   BOOST_TEST(decimals_of({0, 0.005, 0.01}) == 3);

@@ -104,6 +104,25 @@ BOOST_AUTO_TEST_CASE(each_figure_has_a_script_and_no_script_is_left_over) {
   BOOST_TEST(scripts == keys(papers().document.figures()), boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(each_script_reads_all_that_is_registered_for_its_figure) {
+  for (const auto& [name, figure] : papers().document.figures()) {
+    const std::string script = sys::read_file(source_dir + "/figures/" + name + ".gp");
+    const auto check_read = [&](const std::string& registered) {
+      // as it is, or numbered: 'panel_%d' for panel_3
+      const std::string word = std::regex_replace(registered, std::regex("_[0-9]+$"), "_%d");
+      BOOST_TEST(
+          std::regex_search(script, std::regex(word.front() == '"' ? word : "\\b" + word + "\\b")),
+          name << ".gp does not read " << registered);
+    };
+    for (const auto& [block, data] : figure.data) {
+      check_read(block);
+      for (const auto& column : data.columns) check_read("\"" + column.first + "\"");
+    }
+    for (const auto& [key, value] : figure.numbers) check_read(key);
+    for (const auto& [key, value] : figure.texts) check_read(key);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_found_is_what_others_found) {
   // Recomputed by other hands with p-FEM, a Fourier series and boundary elements.
   const Document& d = papers().document;

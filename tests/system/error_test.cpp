@@ -22,7 +22,6 @@ int code_of(const Error& error) {
 BOOST_AUTO_TEST_CASE(each_kind_of_error_ends_the_program_with_its_own_code) {
   BOOST_TEST(code_of(ComputationError("no convergence")) == 1);
   BOOST_TEST(code_of(InputError("a flag")) == 2);
-  BOOST_TEST(code_of(SourceError("a.cpp:1: a marker")) == 2);
   BOOST_TEST(code_of(OutputError("a folder")) == 2);
   BOOST_TEST(code_of(InvalidQuantity("radius", 0, "greater than 0")) == 2);
   BOOST_TEST(code_of(ToolError("gnuplot")) == 3);

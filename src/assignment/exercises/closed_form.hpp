@@ -2,13 +2,7 @@
 // Exercise 1: the slope in closed form. This header is part of the handout.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
-
-#include "assignment/given/answers.hpp"
-#include "assignment/given/bodies.hpp"
 #include "assignment/given/student_types.hpp"
-#include "assignment/given/task.hpp"
 
 namespace exercise {
 
@@ -23,99 +17,7 @@ struct TriangularLoad {
 ///   ∂u_z/∂x = −[2(1−ν²)p₀/(πE)] [(ξ+1) ln|ξ+1| + (ξ−1) ln|ξ−1| − 2ξ ln|ξ|].
 ///
 /// For any x, the kinks 0 and ±a included, where t ln|t| has the limit 0. Far from the load the
-/// three terms are large and their sum is small: it must be right to eight digits at 10⁸ a too.
+/// three terms are large and their sum is small; it must be right to eight digits at 10⁸ a too.
 double normal_gradient(const Material& material, const TriangularLoad& load, double x);
 
 }  // namespace exercise
-
-namespace assignment::closed_form {
-
-/// E ν p₀ a x₁ x₂ …
-inline Task task() {
-  return {"gradient", "E ν p₀ a x₁ x₂ …", "∂u_z/∂x at each x, eq. (3)", 5, [](const Numbers& in) {
-            return for_each_from(4, in, [&](double x, Numbers& out) {
-              out.push_back(exercise::normal_gradient({in[0], in[1]}, {in[2], in[3]}, x));
-            });
-          }};
-}
-
-/// The answer: ∂u_z/∂x at each x. Eq. (3) is for the triangle, so the shape does not count.
-inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
-  const Numbers inputs = joined({s.young, s.poisson, s.peak_pressure, s.half_width}, x);
-  return nonzero_answer(program, "gradient", inputs, x.size());
-}
-
-inline Outcome gradient_is_odd(const Program& program, const Variant& variant) {
-  const Surface surface = surface_of(variant);
-  const double a = surface.half_width;
-  const Numbers right = {0.3 * a, 0.9 * a, 1.7 * a, 6 * a};
-  const Numbers x = joined(joined(right, times(-1, right)), {0});
-  const Numbers g = ask(program, surface, x);
-  const double tolerance = roundings * greatest(g);
-
-  Tally tally("the slope at −x is minus that at x");
-  const std::size_t n = right.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    tally.part(near(g[i], -g[n + i], tolerance), at("x/a", right[i] / a));
-  }
-  tally.part(near(g.back(), 0, tolerance), at("x/a", 0));
-  return tally.outcome();
-}
-
-inline Outcome gradient_falls_as_1_over_x(const Program& program, const Variant& variant) {
-  const Surface surface = surface_of(variant);
-  const Numbers xi = {20, 100, 1e5, 1e7};
-  const Numbers x = times(surface.half_width, xi);
-  const Numbers g = ask(program, surface, joined(x, times(2, x)));
-
-  Tally tally("the surface rises to the right of the load, by half the slope where x doubles");
-  const std::size_t n = xi.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double next_term = 1 / (xi[i] * xi[i]);
-    const bool halves = near(2 * g[n + i] / g[i], 1, std::fmax(next_term, 10 * roundings));
-    tally.part(g[i] < 0 && halves, at("x/a", xi[i]));
-  }
-  return tally.outcome();
-}
-
-/// The slopes at two fixed values of x/a.
-inline Numbers two_slopes(const Program& program, const Surface& surface) {
-  return ask(program, surface, {0.4 * surface.half_width, -2.3 * surface.half_width});
-}
-
-/// Whether the first numbers are `factor` times the second ones.
-inline bool is_multiple(const Numbers& one, const Numbers& other, double factor) {
-  const double tolerance = roundings * greatest(one);
-  return near(one[0], factor * other[0], tolerance) && near(one[1], factor * other[1], tolerance);
-}
-
-inline Outcome gradient_scales(const Program& program, const Variant& variant) {
-  const Surface surface = surface_of(variant);
-  Surface pressed = surface;
-  pressed.peak_pressure *= 3;
-  Surface stiff = surface;
-  stiff.young *= 2;
-  Surface uncoupled = surface;
-  uncoupled.poisson = 0;
-  Surface wide = surface;
-  wide.half_width *= 5;
-
-  const Numbers g = two_slopes(program, surface);
-  const double nu = surface.poisson;
-  Tally tally("the slope scales");
-  tally.part(is_multiple(two_slopes(program, pressed), g, 3), "with the pressure");
-  tally.part(is_multiple(two_slopes(program, stiff), g, 0.5), "with 1/E");
-  tally.part(is_multiple(g, two_slopes(program, uncoupled), 1 - nu * nu), "with Poisson's ratio");
-  tally.part(is_multiple(two_slopes(program, wide), g, 1),
-             "with the size: at the same x/a it is the same");
-  return tally.outcome();
-}
-
-/// The public checks. They hold no answers: each tries a property that the right numbers have.
-inline course::Checks public_checks() {
-  return {{"gradient-odd", gradient_is_odd},
-          {"gradient-far", gradient_falls_as_1_over_x},
-          {"gradient-scaling", gradient_scales}};
-}
-
-}  // namespace assignment::closed_form

@@ -2,9 +2,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "assignment/exercises/closed_form.hpp"
-#include "elasticity/material.hpp"
-#include "elasticity/triangular_load.hpp"
+#include "assignment/exercises/closed_form_checks.hpp"
+#include "assignment/hidden/reference.hpp"
 
 namespace assignment::closed_form {
 namespace {
@@ -12,19 +11,10 @@ namespace {
 // Abscissas in half-widths, under the load, beside it, and near the kinks 0 and ±1.
 const Numbers near_the_load = {1e-3, 0.2, -0.5, 0.7071, -0.999, 1, 1.001, -1.5, 4, -15};
 
-// The reference at each x.
-Numbers slopes(const Surface& s, const Numbers& x) {
-  const elasticity::Material material(s.young, s.poisson);
-  const elasticity::TriangularLoad load(s.peak_pressure, s.half_width);
-  Numbers found;
-  for (const double at : x) found.push_back(elasticity::normal_gradient(material, load, at));
-  return found;
-}
-
-Outcome gradient_is_right(const Program& program, const Variant& variant) {
-  const Surface surface = surface_of(variant);
+Outcome gradient_is_right(const Program& program, const OwnNumbers& own) {
+  const Surface surface = surface_of(own);
   const Numbers x = times(surface.half_width, near_the_load);
-  const Numbers reference = slopes(surface, x);
+  const Numbers reference = slopes_in_closed_form(surface, x);
   const Numbers found = ask(program, surface, x);
   Tally tally("the slope is right to 1e-9 of the greatest");
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -34,12 +24,12 @@ Outcome gradient_is_right(const Program& program, const Variant& variant) {
   return tally.outcome();
 }
 
-Outcome gradient_keeps_digits(const Program& program, const Variant& variant) {
-  const Surface surface = surface_of(variant);
+Outcome gradient_keeps_digits(const Program& program, const OwnNumbers& own) {
+  const Surface surface = surface_of(own);
   const Numbers xi = {1e2, -1e4, 1e6, -1e8};
   const Numbers x = times(surface.half_width, xi);
   const Numbers found = ask(program, surface, x);
-  const Numbers reference = slopes(surface, x);
+  const Numbers reference = slopes_in_closed_form(surface, x);
   Tally tally("the slope is right to eight digits");
   for (std::size_t i = 0; i < x.size(); ++i) {
     tally.part(near(found[i], reference[i], 1e-8 * std::abs(reference[i])), at("x/a", xi[i]));
@@ -49,9 +39,7 @@ Outcome gradient_keeps_digits(const Program& program, const Variant& variant) {
 
 }  // namespace
 
-/// The checks that compare with this project's own functions. Their messages give none of the
-/// expected numbers.
-course::Checks hidden_checks() {
+Checks hidden_checks() {
   return {{"gradient-reference", gradient_is_right},
           {"gradient-far-digits", gradient_keeps_digits}};
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstddef>
 
-#include "assignment/exercises/displacement.hpp"
-#include "assignment/exercises/surface_hidden.hpp"
+#include "assignment/exercises/displacement_checks.hpp"
+#include "assignment/hidden/reference.hpp"
+#include "assignment/hidden/waves.hpp"
 
 namespace assignment::displacement {
 namespace {
@@ -13,37 +14,36 @@ double unit_displacement(const Surface& surface) {
 }
 
 // Counts at how many of these places u_z is right, with the surface's datum.
-void try_displacement(const Program& program, Surface surface, const Places& places, Tally& tally) {
+void test_displacement(const Program& program, Surface surface, const Places& places,
+                       Tally& tally) {
   surface.shape = places.shape;
   const Numbers x = times(surface.half_width, places.xi);
   const Numbers found = ask(program, surface, x);
-  const auto reference = reference_of(surface);
+  const Numbers reference = displacements(surface, x);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    tally.part(near(found[i], reference.normal_displacement(x[i]).value,
-                    1e-8 * unit_displacement(surface)),
+    tally.part(near(found[i], reference[i], 1e-8 * unit_displacement(surface)),
                place(places.xi[i], places.shape));
   }
 }
 
-Outcome displacement_is_right(const Program& program, const Variant& variant) {
+Outcome displacement_is_right(const Program& program, const OwnNumbers& own) {
   Tally tally("u_z is right to 1e-8 of p0 a/E");
   for (const Places& places :
        {Places{shape::triangle, {0.7}}, Places{shape::smooth, {0, -0.3, 0.999, 1.2, 20}},
         Places{shape::one_sided, {0.001, 0.7, -0.99, 1, -3, -200}},
-        Places{waves(variant), {0.2, -0.8, 1.5}}}) {
-    try_displacement(program, surface_of(variant), places, tally);
+        Places{waves(own), {0.2, -0.8, 1.5}}}) {
+    test_displacement(program, surface_of(own), places, tally);
   }
   return tally.outcome();
 }
 
-Outcome displacement_is_right_elsewhere(const Program& program, const Variant& variant) {
-  Surface surface{variant("young2"), variant("poisson2"), 0.37 * variant("peak_pressure"),
-                  2.3 * variant("half_width"), 0};
-  Tally tally("u_z is right to 1e-8 of p0 a/E for another material, another size and datum");
+Outcome displacement_is_right_elsewhere(const Program& program, const OwnNumbers& own) {
+  Surface surface{own.young2, own.poisson2, 0.37 * own.peak_pressure, 2.3 * own.half_width, 0};
+  Tally tally("u_z is right to 1e-8 of p0 a/E for a different material, size and datum");
   for (const double datum : {0.45, 1.0, -2.5, 60.0}) {
     surface.datum = datum * surface.half_width;
     Tally of_datum("");
-    try_displacement(program, surface, {shape::one_sided, {0.1, -0.6, 1.1, 7}}, of_datum);
+    test_displacement(program, surface, {shape::one_sided, {0.1, -0.6, 1.1, 7}}, of_datum);
     tally.part(of_datum.outcome().share == 1, at("datum/a", datum));
   }
   return tally.outcome();
@@ -51,9 +51,7 @@ Outcome displacement_is_right_elsewhere(const Program& program, const Variant& v
 
 }  // namespace
 
-/// The checks that compare with this project's own functions. Their messages give none of the
-/// expected numbers.
-course::Checks hidden_checks() {
+Checks hidden_checks() {
   return {{"displacement-reference", displacement_is_right},
           {"displacement-other", displacement_is_right_elsewhere}};
 }

@@ -2,16 +2,7 @@
 // Exercise 2: the slope by numerical integration. This header is part of the handout.
 #pragma once
 
-#include <cstddef>
-#include <iterator>
-
-#include "assignment/exercises/closed_form.hpp"
-#include "assignment/given/answers.hpp"
-#include "assignment/given/bodies.hpp"
-#include "assignment/given/shapes.hpp"
 #include "assignment/given/student_types.hpp"
-#include "assignment/given/task.hpp"
-#include "numerics/estimate.hpp"
 
 namespace exercise {
 
@@ -19,95 +10,10 @@ namespace exercise {
 ///
 ///   ∂u_z/∂x = −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds over −a ≤ s ≤ a,
 ///
-/// a Cauchy principal value where x lies under the load. `value` is to be good to 10⁻⁷ of the
+/// a Cauchy principal value where x lies under the load. `value` must be good to 10⁻⁷ of the
 /// greatest slope, and the truth must lie within `abs_error` of it, also where GSL's own estimate
-/// leaves something out; an error that is zero, or more than 10⁻⁶ of the greatest slope, is no use,
-/// and one number for all places of a load may be 10⁻⁹ of it at most.
-numerics::Estimate normal_gradient_by_quadrature(const Material& material, const Load& load,
-                                                 double x);
+/// is too small. An error of zero, or of more than 10⁻⁶ of the greatest slope, does not count, and
+/// neither does one number above 10⁻⁹ of it for all places of a load.
+Estimate normal_gradient_by_quadrature(const Material& material, const Load& load, double x);
 
 }  // namespace exercise
-
-namespace assignment::quadrature {
-
-using course::Numbers;
-using course::Outcome;
-using course::Program;
-using course::Variant;
-
-/// Eqs. (2) and (3) must agree to this part of the greatest slope.
-inline constexpr double agreement = 1e-7;
-
-/// Error estimates may not be larger than this part of the greatest slope.
-inline constexpr double most_reported = 1e-6;
-
-/// The abscissas x/a at which the public checks try.
-inline constexpr double points[] = {0.15, -0.5, 0.95, 1.05, 3};
-
-inline Task task() {
-  return {"gradient_by_quadrature", "E ν S p₀ a x₁ x₂ …", "value and abs_error at each x, eq. (2)",
-          6, [](const Numbers& in) {
-            const exercise::Load load = load_of(in[2], in[3], in[4]);
-            return for_each_from(5, in, [&](double x, Numbers& out) {
-              const auto found = exercise::normal_gradient_by_quadrature({in[0], in[1]}, load, x);
-              out.push_back(found.value);
-              out.push_back(found.abs_error);
-            });
-          }};
-}
-
-/// The answer: ∂u_z/∂x at each x by eq. (2), and its error.
-struct Answer {
-  Numbers value;
-  Numbers abs_error;
-};
-
-inline Answer ask(const Program& program, const Surface& s, const Numbers& x) {
-  const Numbers inputs = joined({s.young, s.poisson, s.shape, s.peak_pressure, s.half_width}, x);
-  const Numbers pairs = nonzero_answer(program, "gradient_by_quadrature", inputs, 2 * x.size());
-  Answer found;
-  for (std::size_t i = 0; i < pairs.size(); i += 2) {
-    found.value.push_back(pairs[i]);
-    found.abs_error.push_back(pairs[i + 1]);
-  }
-  return found;
-}
-
-inline Outcome quadrature_agrees(const Program& program, const Variant& variant) {
-  const Surface surface = surface_of(variant);
-  const Numbers x = times(surface.half_width, Numbers(std::begin(points), std::end(points)));
-  const Numbers g = closed_form::ask(program, surface, x);
-  const Numbers q = ask(program, surface, x).value;
-
-  Tally tally("eq. (2) agrees with your eq. (3) to 1e-7 of the greatest slope");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    tally.part(near(q[i], g[i], agreement * greatest(g)), at("x/a", points[i]));
-  }
-  return tally.outcome();
-}
-
-inline Outcome quadrature_error_covers(const Program& program, const Variant& variant) {
-  const Surface surface = surface_of(variant);
-  const Numbers x = times(surface.half_width, Numbers(std::begin(points), std::end(points)));
-  const Numbers g = closed_form::ask(program, surface, x);
-  const Answer q = ask(program, surface, x);
-
-  Tally tally(
-      "the reported error covers the difference from your eq. (3), and is above 0 and at most "
-      "1e-6 of the greatest slope");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double reported = q.abs_error[i];
-    const bool says_something = reported > 0 && reported <= most_reported * greatest(g);
-    const double of_eq_3 = 1e-12 * greatest(g);
-    tally.part(says_something && near(q.value[i], g[i], reported + of_eq_3), at("x/a", points[i]));
-  }
-  return tally.outcome();
-}
-
-/// The public checks. They hold no answers: each tries a property that the right numbers have.
-inline course::Checks public_checks() {
-  return {{"quadrature-residual", quadrature_agrees},
-          {"quadrature-error", quadrature_error_covers}};
-}
-
-}  // namespace assignment::quadrature

@@ -3,76 +3,74 @@
 #include <cstddef>
 #include <vector>
 
-#include "assignment/exercises/quadrature.hpp"
-#include "assignment/exercises/surface_hidden.hpp"
-#include "elasticity/surface_quadrature.hpp"
+#include "assignment/exercises/quadrature_checks.hpp"
+#include "assignment/hidden/reference.hpp"
+#include "assignment/hidden/waves.hpp"
 
 namespace assignment::quadrature {
 namespace {
 
 // The greatest slope at 81 places under the load and beside it, within 1 % of the greatest.
-double greatest_slope(const elasticity::SurfaceQuadrature& reference, double half_width) {
-  Numbers slopes;
-  for (int i = -40; i <= 40; ++i) {
-    slopes.push_back(reference.normal_gradient(half_width * i / 32).value);
-  }
-  return greatest(slopes);
+double greatest_slope(const Surface& surface) {
+  Numbers x;
+  for (int i = -40; i <= 40; ++i) x.push_back(surface.half_width * i / 32);
+  Numbers values;
+  for (const exercise::Estimate& slope : slopes(surface, x)) values.push_back(slope.value);
+  return greatest(values);
 }
 
-Outcome quadrature_is_right(const Program& program, const Variant& variant) {
+Outcome quadrature_is_right(const Program& program, const OwnNumbers& own) {
   // The triangle has few places, because it has a closed form.
   const std::vector<Places> places = {{shape::triangle, {1}},
                                       {shape::smooth, {1e-3, 0.3, -0.9, 1, -1.8}},
                                       {shape::one_sided, {0, -0.6, -0.9999, -1, 1.0001, 5, -40}},
-                                      {waves(variant), {0.1, -0.4, 0.8, -1.2}}};
-  Surface surface = surface_of(variant);
+                                      {waves(own), {0.1, -0.4, 0.8, -1.2}}};
+  Surface surface = surface_of(own);
   Tally tally("the slope by eq. (2) is right to 1e-7 of the greatest");
   for (const auto& [shape, xi] : places) {
     surface.shape = shape;
     const Numbers x = times(surface.half_width, xi);
     const Numbers found = ask(program, surface, x).value;
-    const auto reference = reference_of(surface);
-    const double tolerance = 1e-7 * greatest_slope(reference, surface.half_width);
+    const auto reference = slopes(surface, x);
+    const double tolerance = 1e-7 * greatest_slope(surface);
     for (std::size_t i = 0; i < x.size(); ++i) {
-      tally.part(near(found[i], reference.normal_gradient(x[i]).value, tolerance),
-                 place(xi[i], shape));
+      tally.part(near(found[i], reference[i].value, tolerance), place(xi[i], shape));
     }
   }
   return tally.outcome();
 }
 
-// To six digits, so that a last place or two that is added makes no estimate of a constant.
+// To six digits, so that adding a last place or two does not turn a constant into an estimate.
 bool are_all_the_same(const Numbers& errors) {
   return std::all_of(errors.begin(), errors.end(), [&](double error) {
     return near(error, errors.front(), 1e-6 * errors.front());
   });
 }
 
-// Whoever adds a least value to GSL's estimates, for the rounding that they leave out, reports the
-// same error where GSL finds less. Such a value is small; a constant that is invented to be safe is
+// A solution that adds a least value to GSL's estimates, for the rounding that they leave out,
+// reports the same error wherever GSL finds less. Such a value is small; an invented constant is
 // not.
 constexpr double most_of_a_least_value = 1e-9;
 
-Outcome quadrature_is_honest(const Program& program, const Variant& variant) {
+Outcome quadrature_is_honest(const Program& program, const OwnNumbers& own) {
   const std::vector<Places> places = {{shape::triangle, {0.77}},
                                       {shape::smooth, {0.05, -0.35, -0.98, 1.02, 2.5}},
                                       {shape::one_sided, {0.4, -0.7, 0.98, -1.02, -1.3, -12}},
-                                      {waves(variant), {0.3, -0.6, 0.9, 1.1}}};
-  Surface surface = surface_of(variant);
+                                      {waves(own), {0.3, -0.6, 0.9, 1.1}}};
+  Surface surface = surface_of(own);
   Tally tally(
       "the truth is within the reported error, which is at most 1e-6 of the greatest slope");
   for (const auto& [shape, xi] : places) {
     surface.shape = shape;
     const Numbers x = times(surface.half_width, xi);
     const Answer q = ask(program, surface, x);
-    const auto reference = reference_of(surface);
-    const double slope = greatest_slope(reference, surface.half_width);
+    const auto truth = slopes(surface, x);
+    const double slope = greatest_slope(surface);
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double reported = q.abs_error[i];
       const bool says_something = reported > 0 && reported <= most_reported * slope;
-      const auto truth = reference.normal_gradient(x[i]);
-      const double margin = reported + truth.abs_error;
-      tally.part(says_something && near(q.value[i], truth.value, margin), place(xi[i], shape));
+      const double margin = reported + truth[i].abs_error;
+      tally.part(says_something && near(q.value[i], truth[i].value, margin), place(xi[i], shape));
     }
     const bool is_large = q.abs_error.front() > most_of_a_least_value * slope;
     if (x.size() > 1 && is_large && are_all_the_same(q.abs_error)) {
@@ -86,9 +84,7 @@ Outcome quadrature_is_honest(const Program& program, const Variant& variant) {
 
 }  // namespace
 
-/// The checks that compare with this project's own functions. Their messages give none of the
-/// expected numbers.
-course::Checks hidden_checks() {
+Checks hidden_checks() {
   return {{"quadrature-reference", quadrature_is_right},
           {"quadrature-honest", quadrature_is_honest}};
 }

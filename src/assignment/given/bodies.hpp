@@ -5,30 +5,26 @@
 
 #include <cmath>
 
+#include "assignment/given/numbers.hpp"
 #include "assignment/given/shapes.hpp"
-#include "course/assignment/variant.hpp"
 
 namespace assignment {
 
-/// A half-space under a pressure: E, ν, p₀, a, the x where u_z = 0, and the number of
-/// the pressure's shape.
+/// A half-space under a pressure.
 struct Surface {
-  double young;
-  double poisson;
-  double peak_pressure;
-  double half_width;
-  double datum;
-  double shape = shape::triangle;
+  double young, poisson;           ///< E, ν
+  double peak_pressure;            ///< p₀
+  double half_width;               ///< a
+  double datum;                    ///< the x where u_z = 0
+  double shape = shape::triangle;  ///< the number of the pressure's shape
 };
 
-/// The first body of a variant, under the variant's triangle.
-inline Surface surface_of(const course::Variant& variant) {
-  return {variant("young1"), variant("poisson1"), variant("peak_pressure"), variant("half_width"),
-          variant("datum")};
+/// Body 1 of a student's numbers, under the triangle.
+inline Surface surface_of(const OwnNumbers& own) {
+  return {own.young1, own.poisson1, own.peak_pressure, own.half_width, own.datum};
 }
 
-/// Two cylinders pressed together by a load per unit length, and the grid to find their pressure
-/// on.
+/// Two cylinders pressed together by a load per unit length, and the grid for their pressure.
 struct Cylinders {
   double young1, poisson1, radius1;
   double young2, poisson2, radius2;
@@ -46,13 +42,12 @@ struct Cylinders {
   double relative_curvature() const { return 1 / radius1 + 1 / radius2; }
 };
 
-/// The two bodies of a variant, with its load and grid.
-inline Cylinders cylinders_of(const course::Variant& variant) {
-  return {
-      variant("young1"),    variant("poisson1"), variant("radius1"),
-      variant("young2"),    variant("poisson2"), variant("radius2"),
-      variant("line_load"), variant("spacing"),  static_cast<int>(std::lround(variant("nodes"))),
-      variant("datum")};
+/// The two bodies of a student's numbers, with their load and grid.
+inline Cylinders cylinders_of(const OwnNumbers& own) {
+  return {own.young1,    own.poisson1, own.radius1,
+          own.young2,    own.poisson2, own.radius2,
+          own.line_load, own.spacing,  static_cast<int>(std::lround(own.nodes)),
+          own.datum};
 }
 
 }  // namespace assignment

@@ -11,8 +11,8 @@
 
 namespace assignment {
 
-/// The number of a pressure over ξ = s/a, which is zero for |ξ| > 1. From fewest_waves to
-/// most_waves it is the k of p₀(1 − ξ²)(1 + ½ sin kξ), which has no closed form in these variables.
+/// The number of a pressure over ξ = s/a that is zero for |ξ| > 1. From fewest_waves to most_waves
+/// it is the k of p₀(1 − ξ²)(1 + ½ sin kξ), which has no closed form in these variables.
 namespace shape {
 inline constexpr double triangle = 0;   ///< p₀(1 − |ξ|), eq. (4)
 inline constexpr double smooth = 1;     ///< p₀(1 − ξ²)²
@@ -36,8 +36,8 @@ inline double pressure(double number, double unit_pressure, double half_width, d
   throw std::invalid_argument("there is no pressure number " + std::to_string(number));
 }
 
-/// The pressure that the numbers S p₀ a of a task name, where S is the number of its shape. Throws
-/// std::invalid_argument if no pressure has this number.
+/// The pressure that the numbers S p₀ a of a task stand for, where S is the number of its shape.
+/// Throws std::invalid_argument if no pressure has this number.
 inline exercise::Load load_of(double number, double unit_pressure, double half_width) {
   pressure(number, unit_pressure, half_width, 0);
   const auto pressure_at = [=](double s) { return pressure(number, unit_pressure, half_width, s); };

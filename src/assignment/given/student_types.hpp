@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the functions that students write take, as far as several exercises use it. All numbers are
-// in SI units. This header is part of the handout.
+// What several of the functions that students write take and return. All numbers are in SI units.
+// This header is part of the handout.
 #pragma once
 
 #include <functional>
@@ -18,6 +18,12 @@ struct Load {
   std::function<double(double)> pressure;  ///< p in Pa at any s in m
   double half_width;                       ///< a, m
   double unit_pressure;                    ///< p₀, Pa: the order of p's greatest value
+};
+
+/// A number and a bound of its error: the truth lies within [value − abs_error, value + abs_error].
+struct Estimate {
+  double value;
+  double abs_error;
 };
 
 }  // namespace exercise

@@ -16,7 +16,7 @@ foreach(folder IN ITEMS system config)
   install(DIRECTORY "${HALFSPACE_ROOT}/src/${folder}/" DESTINATION "${headers}/${folder}" FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/" DESTINATION "${headers}/literate" FILES_MATCHING PATTERN "*.hpp"
-  PATTERN template EXCLUDE PATTERN tools EXCLUDE PATTERN python EXCLUDE PATTERN cmake EXCLUDE)
+  PATTERN template EXCLUDE PATTERN tools EXCLUDE PATTERN python EXCLUDE PATTERN cmake EXCLUDE PATTERN page EXCLUDE)
 install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${headers}/numerics")
 
 install(EXPORT literate NAMESPACE literate:: FILE literateTargets.cmake DESTINATION "${share}/cmake")
@@ -32,7 +32,7 @@ foreach(file IN ITEMS literate.sty cmake/literateConfig.cmake cmake/LiteratePape
     install(FILES ${file} DESTINATION "${share}/${folder}")
   endif()
 endforeach()
-foreach(folder IN ITEMS tools python template)
+foreach(folder IN ITEMS tools python template page)
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}")
     install(DIRECTORY ${folder} DESTINATION "${share}" USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
   endif()

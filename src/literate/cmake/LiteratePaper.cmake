@@ -3,7 +3,7 @@
 #   [FIGURES folder] [SOURCES file|folder…] [DEPENDS file…] [FAULTS file] [OUTPUT folder])
 #
 # Adds the target `name`, which writes OUTPUT/name.pdf, and `name-program`, `name-results` and `name-figures`, which stop
-# earlier. A script whose first word ends with .py runs with CMake's Python3. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja decides what is out of date: a rule's outputs
+# earlier. A script whose first word ends with .py runs with CMake's Python3, and depends on all SOURCES. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja decides what is out of date: a rule's outputs
 # keep their time stamps if their content is the same, and then nothing that depends on them runs.
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 # pyenv and the like find scripts in the place of Python, which take longer to start it than most rules take altogether.
@@ -14,7 +14,15 @@ cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH literate_ENGINE)
 set(literate_ENGINE "${literate_ENGINE}" CACHE INTERNAL "The folder of literate.sty and tools/")
 
 function(literate_add_paper)
-  cmake_policy(SET CMP0116 OLD) # the depfile is right as it is: no second program has to rewrite it
+  # CMake would write the depfile again with absolute paths, and Ninja cannot read one with a quote. Without policy CMP0116, of
+  # version 3.20, it does not; but in a subdirectory it would warn.
+  if(CMAKE_CURRENT_BINARY_DIR STREQUAL CMAKE_BINARY_DIR)
+    cmake_policy(VERSION 3.19)
+    set(depfile_base "${CMAKE_BINARY_DIR}")
+  else()
+    cmake_policy(SET CMP0116 NEW)
+    set(depfile_base "")
+  endif()
   set(one NAME PROGRAM DOCUMENT MAIN CASE FIGURES FAULTS OUTPUT)
   cmake_parse_arguments(PARSE_ARGV 0 paper "" "${one}" "SCRIPT;SOURCES;DEPENDS")
   if(paper_UNPARSED_ARGUMENTS)
@@ -46,6 +54,8 @@ function(literate_add_paper)
   set(settings "${output}.json")
   set(literate "${literate_PYTHON}" -S "${literate_ENGINE}/tools/literate")
 
+  _literate_relative_places()
+
   # What computes: a program, or a script whose file literate-results reads.
   if(TARGET "${paper_PROGRAM}")
     set(paper_PROGRAM "$<TARGET_FILE:${paper_PROGRAM}>")
@@ -67,6 +77,15 @@ function(literate_add_paper)
         set(word "${file}")
       endif()
       list(APPEND script "${word}")
+    endforeach()
+    foreach(path IN LISTS paper_SOURCES) # the modules of the script
+      if(IS_DIRECTORY "${path}")
+        file(GLOB_RECURSE files CONFIGURE_DEPENDS "${path}/*")
+        list(FILTER files EXCLUDE REGEX "/__pycache__/")
+        list(APPEND computes ${files})
+      else()
+        list(APPEND computes "${path}")
+      endif()
     endforeach()
   else()
     set(computes "${paper_PROGRAM}")
@@ -120,6 +139,25 @@ function(literate_add_paper)
   add_custom_target(${name} ALL DEPENDS "${output}/verdict.stamp")
 endfunction()
 
+# Who links the engine registers places in the code by paths that are relative to the project.
+function(_literate_relative_places)
+  if(TARGET literate::literate)
+    get_target_property(library literate::literate ALIASED_TARGET)
+    if(NOT library)
+      set(library literate::literate)
+    endif()
+    file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}") # as ccache may write it
+    string(REGEX REPLACE "/$" "" from_build "${from_build}")
+    foreach(prefix IN ITEMS "${CMAKE_SOURCE_DIR}" "${from_build}")
+      set(option "$<BUILD_INTERFACE:-fmacro-prefix-map=${prefix}/=>")
+      get_target_property(options ${library} INTERFACE_COMPILE_OPTIONS)
+      if(NOT option IN_LIST options)
+        set_property(TARGET ${library} APPEND PROPERTY INTERFACE_COMPILE_OPTIONS "${option}")
+      endif()
+    endforeach()
+  endif()
+endfunction()
+
 # Makes the paths of a list absolute.
 macro(_literate_absolute variable)
   set(absolute "")
@@ -144,7 +182,7 @@ macro(_literate_write_settings)
     list(APPEND configure "-Dliterate_DIR=${literate_DIR}")
   endif()
   foreach(pair IN ITEMS name=name source=CMAKE_SOURCE_DIR document=paper_DOCUMENT main=paper_MAIN case=paper_CASE output=output
-      build=CMAKE_BINARY_DIR faults=paper_FAULTS results_program=results_program)
+      build=CMAKE_BINARY_DIR depfile_base=depfile_base faults=paper_FAULTS results_program=results_program)
     string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
     set(key "${CMAKE_MATCH_1}")
     _literate_json(value "${${CMAKE_MATCH_2}}")

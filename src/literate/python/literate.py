@@ -35,10 +35,13 @@ def _cell(cell: Any) -> Any:
     """Turns a pair into a number with its error; unit and format are the column's."""
     if isinstance(cell, tuple):
         cell = {"number": _plain(cell[0]), "bound": _plain(cell[1])}
-    return {key: entry for key, entry in cell.items() if key not in ("unit", "format", "as_is")} if isinstance(cell, dict) else _plain(cell)
+    if not isinstance(cell, dict):
+        return _plain(cell)
+    return {key: entry for key, entry in cell.items() if key not in ("unit", "format", "as_is")}
 
 
-def _format(digits: int | None, decimals: int | None, percent: int | None, scientific: int | None, format: str | None) -> str | None:
+def _format(digits: int | None, decimals: int | None, percent: int | None, scientific: int | None,
+            format: str | None) -> str | None:
     given = {"significant": digits, "fixed": decimals, "percent": percent, "scientific": scientific}
     formats = [f"{name}({count})" for name, count in given.items() if count is not None] + ([format] if format else [])
     if len(formats) > 1:
@@ -51,9 +54,10 @@ def number(value: Any, *, error: float | None = None, standard: float | None = N
            as_is: bool = False) -> Json:
     """Returns a number with its errors and its format, for a criterion or a cell of a table.
 
-    `error` bounds the error, `standard` is a standard uncertainty; both have the unit of the number. `digits` are significant
-    ones, `decimals` those behind the point; `percent` and `scientific` count digits as well. `format` names any other format, such as
-    "uncertain()", "exact()" or "significant(3).rounded_up()". An integer is exact. `as_is` prints a float whose error is unknown.
+    `error` bounds the error, `standard` is a standard uncertainty; both have the unit of the number. `digits` are
+    significant ones, `decimals` those behind the point; `percent` and `scientific` count digits as well. `format` names any
+    other format, such as "uncertain()", "exact()" or "significant(3).rounded_up()". An integer is exact. `as_is` prints a
+    float whose error is unknown.
     """
     value = _plain(value)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
@@ -74,9 +78,9 @@ def quoted(value: float, last_digit: int) -> Json:
     return {"number": value, "quoted": last_digit}
 
 
-def column(heading: str, unit: str = "", *, digits: int | None = None, decimals: int | None = None, percent: int | None = None,
-           scientific: int | None = None, format: str | None = None, group: str = "", exponent: int | None = None, exact: bool = False,
-           width_cm: float | None = None) -> Json:
+def column(heading: str, unit: str = "", *, digits: int | None = None, decimals: int | None = None,
+           percent: int | None = None, scientific: int | None = None, format: str | None = None, group: str = "",
+           exponent: int | None = None, exact: bool = False, width_cm: float | None = None) -> Json:
     """Returns a column of a table; one without a format holds texts. Heading and group, which is a heading over several
     columns, are LaTeX. Numbers are printed divided by ten to the power `exponent`; `exact` ones need no error."""
     result: Json = {"heading": heading, "format": _format(digits, decimals, percent, scientific, format), "unit": unit or None,
@@ -88,7 +92,8 @@ def limit(value: float, kind: str, reason: str, *, error: float | None = None, c
           digits: int | None = None) -> Json:
     """Returns the limit of a criterion. `kind` is theory, data, method or choice, and `reason` (LaTeX) why it is this number.
     A quantity with a standard uncertainty is judged with `counting` of them."""
-    result: Json = {"number": _plain(value), "kind": kind, "reason": reason, "bound": error, "counting": counting, "digits": digits}
+    result: Json = {"number": _plain(value), "kind": kind, "reason": reason, "bound": error, "counting": counting,
+                    "digits": digits}
     return {key: entry for key, entry in result.items() if entry is not None}
 
 
@@ -113,7 +118,7 @@ def agrees_relatively(name: str, quantity: Json, stated: Json, limit: Json) -> J
 
 
 def in_each(name: str, cases: str, each: Sequence[Json]) -> Json:
-    """Returns the criterion that all of these hold; `cases` (LaTeX) says what they are, such as points."""
+    """Returns the criterion that all of these hold; `cases` (LaTeX) names them, such as points."""
     return {"name": name, "test": "in_each", "cases": cases, "each": list(each)}
 
 
@@ -121,11 +126,15 @@ class Document:
     """Collects what a script registers. Each key is registered once; the line of the script that does so is kept."""
 
     def __init__(self) -> None:
-        self._parts: dict[str, dict[str, Json]] = {part: {} for part in ("values", "flags", "tables", "figures", "checks", "claims")}
+        parts = ("values", "flags", "tables", "figures", "checks", "claims")
+        self._parts: dict[str, dict[str, Json]] = {part: {} for part in parts}
 
     def value(self, key: str, value: Any, **how: Any) -> None:
         """Registers a number for `\\val{key}`, with the arguments of number(), or a text."""
-        self._add("values", key, {"text": value} if isinstance(value, str) else number(value, **how))
+        entry = {"text": value} if isinstance(value, str) else number(value, **how)
+        if "number" in entry and "format" not in entry:
+            raise ValueError(f"value '{key}' needs a format: digits=, decimals=, percent=, scientific= or format=")
+        self._add("values", key, entry)
 
     def flag(self, key: str, value: Any) -> None:
         """Registers a condition for `\\ifflag{key}{yes}{no}`."""
@@ -148,10 +157,11 @@ class Document:
 
     def check(self, key: str, statement: str, *, passed: Any = None, criteria: Sequence[Json] = ()) -> None:
         """Registers what must hold for the numbers to be trusted: a fact (`passed`), or criteria. The statement is LaTeX."""
-        self._add("checks", key, {"statement": statement} | ({"criteria": list(criteria)} if criteria else {"passed": bool(passed)}))
+        judged = {"criteria": list(criteria)} if criteria else {"passed": bool(passed)}
+        self._add("checks", key, {"statement": statement, **judged})
 
     def claim(self, key: str, *, route: str, criteria: Sequence[Json], expected: str = "holds") -> None:
-        """Registers a claim for `\\claim{key}`; `route` (LaTeX) says how it is computed, and `expected` is the verdict that the
+        """Registers a claim for `\\claim{key}`; `route` (LaTeX) describes how it is computed, and `expected` is the verdict that the
         prose relies on: holds, holds in part, fails or undecided."""
         self._add("claims", key, {"route": route, "expected": expected, "criteria": list(criteria)})
 

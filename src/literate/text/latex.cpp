@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
-
-#include "system/text.hpp"
 
 namespace literate {
 namespace {
@@ -79,13 +79,13 @@ std::string author_latex(std::string_view latex) {
 }
 
 void require_utf8(std::string_view text) {
-  for (std::string_view rest = text; !rest.empty();) {
-    const sys::Utf8Character character = sys::first_character(rest);
-    if (!character.code_point) {
-      const std::string_view before = text.substr(0, text.size() - rest.size());
-      throw std::invalid_argument(fmt::format("the text '{}…' is not UTF-8", before));
-    }
-    rest.remove_prefix(character.bytes.size());
+  try {
+    (void)nlohmann::json(text).dump();  // which results.json could not hold otherwise
+  } catch (const nlohmann::json::type_error&) {
+    const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+    const auto end = std::ranges::find_if_not(text, is_ascii);
+    throw std::invalid_argument(
+        fmt::format("the text '{}…' is not UTF-8", std::string_view(text.begin(), end)));
   }
 }
 

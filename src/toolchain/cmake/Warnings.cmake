@@ -22,6 +22,7 @@ endif()
 add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
 # ccache compiles with paths that start at the build folder, if it is told to (CCACHE_BASEDIR).
 file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${PROJECT_SOURCE_DIR}")
+string(REGEX REPLACE "/$" "" from_build "${from_build}")
 if(from_build)
-  add_compile_options("-fmacro-prefix-map=${from_build}=")
+  add_compile_options("-fmacro-prefix-map=${from_build}/=")
 endif()

@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "csv_rows.hpp"
 #include "holds.hpp"
 #include "literate/claims/claim.hpp"
 #include "message_of.hpp"
-#include "system/csv.hpp"
 #include "system/decimal.hpp"
-#include "system/files.hpp"
 
 using literate::Criterion;
 using literate::exact;
@@ -44,8 +43,8 @@ Value quantity_of(const std::string& number, const std::string& bound, const std
           unit};
 }
 
-Criterion criterion_of(const sys::CsvRow& row) {
-  const auto field = [&](std::size_t i) { return row.at(i).text; };
+Criterion criterion_of(const CsvRow& row) {
+  const auto field = [&](std::size_t i) { return row.at(i); };
   const Format format = Format::parse(field(4));
   const Value quantity = quantity_of(field(1), field(2), field(3), format, field(5));
   Limit limit({number_in(field(9)).value(), number_in(field(10)).value_or(0)}, LimitKind::choice,
@@ -77,16 +76,15 @@ std::string refusal_of(Make&& make) {
 BOOST_AUTO_TEST_SUITE(criterion_test)
 
 BOOST_AUTO_TEST_CASE(criteria_have_the_verdicts_of_the_table_and_print_what_was_tested) {
-  const std::string file = ENGINE_TESTS "/claims/verdicts.csv";
-  auto rows = sys::parse_csv(sys::read_file(file), file);
-  rows.erase(rows.begin());
+  const auto rows = csv_rows(ENGINE_TESTS "/claims/verdicts.csv");
   BOOST_TEST(rows.size() > 30);
-  for (const sys::CsvRow& row : rows) {
-    BOOST_TEST_CONTEXT(row[0].place) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const CsvRow& row = rows[i];
+    BOOST_TEST_CONTEXT("row " << i + 1) {
       const Criterion criterion = criterion_of(row);
-      BOOST_TEST(name_of(criterion.verdict()) == row[12].text);
-      BOOST_TEST(criterion.found().plain == row[13].text);
-      BOOST_TEST(criterion.limit_phrase().plain == row[14].text);
+      BOOST_TEST(name_of(criterion.verdict()) == row[12]);
+      BOOST_TEST(criterion.found().plain == row[13]);
+      BOOST_TEST(criterion.limit_phrase().plain == row[14]);
       BOOST_TEST(criterion.missing().empty() == (criterion.verdict() != Verdict::undecided));
     }
   }

@@ -39,8 +39,10 @@ std::string without_places(std::string text, const std::string& source) {
 /// The files of a folder by their names, without places.
 std::map<std::string, std::string> files_of(const fs::path& folder, const std::string& source) {
   std::map<std::string, std::string> files;
-  for (const std::string& name : sys::files_below(folder)) {
-    files[name] = without_places(sys::read_file(folder / name), source);
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string name = entry.path().lexically_relative(folder).generic_string();
+    files[name] = without_places(sys::read_file(entry.path()), source);
   }
   return files;
 }

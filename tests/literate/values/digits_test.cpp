@@ -3,10 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "csv_rows.hpp"
 #include "literate/values/value.hpp"
-#include "system/csv.hpp"
 #include "system/decimal.hpp"
-#include "system/files.hpp"
 
 namespace {
 
@@ -16,15 +15,15 @@ using literate::Value;
 
 /// The number of a row: with its bound and standard uncertainty, or as it is where nobody knows
 /// them.
-Value value_of(const sys::CsvRow& row) {
-  const double number = sys::parsed<double>(row[0].text).value();
-  const Format format = Format::parse(row[3].text);
-  if (row[1].text.empty() && row[2].text.empty()) {
-    return Value(number, format, row[4].text).as_is();
+Value value_of(const CsvRow& row) {
+  const double number = sys::parsed<double>(row[0]).value();
+  const Format format = Format::parse(row[3]);
+  if (row[1].empty() && row[2].empty()) {
+    return Value(number, format, row[4]).as_is();
   }
-  return {Number(number, sys::parsed<double>(row[1].text).value_or(0),
-                 sys::parsed<double>(row[2].text).value_or(0)),
-          format, row[4].text};
+  return {Number(number, sys::parsed<double>(row[1]).value_or(0),
+                 sys::parsed<double>(row[2]).value_or(0)),
+          format, row[4]};
 }
 
 }  // namespace
@@ -34,15 +33,14 @@ BOOST_AUTO_TEST_SUITE(digits_test)
 // digits.csv: what numbers with their errors print in each format. Most rows are numbers of a
 // report on contact mechanics; the others are the promises of literate/values/format.hpp.
 BOOST_AUTO_TEST_CASE(formats_print_the_digits_of_the_table) {
-  const std::string file = ENGINE_TESTS "/values/digits.csv";
-  auto rows = sys::parse_csv(sys::read_file(file), file);
-  rows.erase(rows.begin());
+  const auto rows = csv_rows(ENGINE_TESTS "/values/digits.csv");
   BOOST_TEST(rows.size() > 100);
-  for (const sys::CsvRow& row : rows) {
-    BOOST_TEST_CONTEXT(row[0].place) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const CsvRow& row = rows[i];
+    BOOST_TEST_CONTEXT("row " << i + 1) {
       const Value value = value_of(row);
       BOOST_CHECK_NO_THROW(value.require_valid());
-      BOOST_TEST(value.printed() == row[5].text);
+      BOOST_TEST(value.printed() == row[5]);
     }
   }
 }

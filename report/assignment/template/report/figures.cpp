@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// build/figures DIR: writes your curves to DIR/*.dat and your numbers to DIR/numbers.tex for the
-// report.
+// build/figures FOLDER [ID]: writes your curves to FOLDER/*.dat and your numbers to
+// FOLDER/numbers.tex, for the report.
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>
@@ -15,21 +15,17 @@
 #include <string>
 
 #include "assignment.hpp"
+#include "assignment/given/bodies.hpp"
+#include "assignment/given/numbers.hpp"
 #include "assignment/given/shapes.hpp"
-#include "variant_of_this_handout.hpp"
 
 namespace {
 
+using assignment::OwnNumbers;
 using exercise::Material;
-using exercise::TriangularLoad;
 
-const Material material1{this_variant("young1"), this_variant("poisson1")};
-const Material material2{this_variant("young2"), this_variant("poisson2")};
-const TriangularLoad triangle{this_variant("peak_pressure"), this_variant("half_width")};
-const double datum = this_variant("datum");
-
-// The number, or 0 with a warning if the exercise gives none yet, so that the report can be made
-// nevertheless.
+// The number, or 0 with a warning if the exercise gives none yet, so that there is a report even
+// then.
 double number_of(const std::string& exercise, double number) {
   static std::set<std::string> warned;
   if (std::isfinite(number)) return number;
@@ -46,25 +42,27 @@ std::ofstream open(const std::filesystem::path& file) {
 }
 
 // x/a, the slope by eq. (3) and by eq. (2) with its error, and u_z.
-void write_surface(const std::filesystem::path& file) {
+void write_surface(const std::filesystem::path& file, const OwnNumbers& own) {
   std::ofstream out = open(file);
+  const Material material{own.young1, own.poisson1};
+  const exercise::TriangularLoad triangle{own.peak_pressure, own.half_width};
   // The triangle as a load of which only the values are known.
   const exercise::Load load =
-      assignment::load_of(assignment::shape::triangle, triangle.peak_pressure, triangle.half_width);
+      assignment::load_of(assignment::shape::triangle, own.peak_pressure, own.half_width);
   for (int i = -160; i <= 160; ++i) {
     const double xi = i / 40.0;
-    const double x = xi * triangle.half_width;
-    const auto quadrature = exercise::normal_gradient_by_quadrature(material1, load, x);
-    out << xi << ' ' << number_of("1", exercise::normal_gradient(material1, triangle, x)) << ' '
+    const double x = xi * own.half_width;
+    const auto quadrature = exercise::normal_gradient_by_quadrature(material, load, x);
+    out << xi << ' ' << number_of("1", exercise::normal_gradient(material, triangle, x)) << ' '
         << number_of("2", quadrature.value) << ' ' << number_of("2", quadrature.abs_error) << ' '
-        << number_of("3", exercise::normal_displacement(material1, load, datum, x)) << '\n';
+        << number_of("3", exercise::normal_displacement(material, load, own.datum, x)) << '\n';
   }
 }
 
-exercise::Contact contact_on(const exercise::Grid& grid) {
-  const exercise::Cylinders cylinders{material1, this_variant("radius1"), material2,
-                                      this_variant("radius2")};
-  return exercise::solve_contact(cylinders, grid, datum, this_variant("line_load"));
+exercise::Contact contact_on(const exercise::Grid& grid, const OwnNumbers& own) {
+  const exercise::Cylinders cylinders{
+      {own.young1, own.poisson1}, own.radius1, {own.young2, own.poisson2}, own.radius2};
+  return exercise::solve_contact(cylinders, grid, own.datum, own.line_load);
 }
 
 void write_pressure(const std::filesystem::path& file, const exercise::Grid& grid,
@@ -94,15 +92,18 @@ void define_length(std::ostream& out, const std::string& name, double coarse, do
       << std::setprecision(static_cast<int>(decimals)) << length << "\\,mm}\n";
 }
 
-void write_all(const std::filesystem::path& folder) {
-  write_surface(folder / "surface.dat");
-  const exercise::Grid grid{static_cast<int>(std::lround(this_variant("nodes"))),
-                            this_variant("spacing")};
+void write_all(const std::filesystem::path& folder, const std::string& student) {
+  std::filesystem::create_directories(folder);
+  const OwnNumbers own = assignment::own_numbers(student);
+  write_surface(folder / "surface.dat", own);
+  const exercise::Grid grid{static_cast<int>(std::lround(own.nodes)), own.spacing};
   const exercise::Grid finer{2 * grid.n_nodes - 1, grid.spacing / 2};
-  const exercise::Contact contact = contact_on(grid);
-  const exercise::Contact confirming = contact_on(finer);
+  const exercise::Contact contact = contact_on(grid, own);
+  const exercise::Contact confirming = contact_on(finer, own);
   write_pressure(folder / "contact.dat", grid, contact);
   std::ofstream numbers = open(folder / "numbers.tex");
+  numbers << "\\newcommand*\\student{"
+          << (student.empty() ? "the paper's case" : "\\detokenize{" + student + "}") << "}\n";
   define_length(numbers, "halfwidth", contact.half_width, confirming.half_width);
   define_length(numbers, "approach", contact.approach, confirming.approach);
 }
@@ -112,8 +113,8 @@ void write_all(const std::filesystem::path& folder) {
 int main(int argc, char** argv) {
   gsl_set_error_handler_off();  // as in build/assignment
   try {
-    if (argc != 2) throw std::invalid_argument("usage: figures DIR");
-    write_all(argv[1]);
+    if (argc < 2) throw std::invalid_argument("usage: figures FOLDER [ID]");
+    write_all(argv[1], argc > 2 ? argv[2] : "");
     return 0;
   } catch (const std::exception& e) {
     std::cerr << "figures: " << e.what() << '\n';

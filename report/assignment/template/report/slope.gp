@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The slope by your eq. (3) and your eq. (2), and how far they are apart (no less than 1e-20, so that
-# there is something to draw).
+# The slope by your eqs. (3) and (2), and their difference (at least 1e-20, so that there is something to draw).
 set terminal pdfcairo size 14cm,9cm font "Latin Modern Roman,11"
 set output "generated/slope.pdf"
 set multiplot layout 2,1
@@ -10,6 +9,6 @@ plot "generated/surface.dat" using 1:2 with lines title "eq. (3)", \
      "" every 8 using 1:3 with points title "eq. (2)"
 set ylabel "difference"
 set logscale y
-plot "generated/surface.dat" using 1:(abs($2-$3)+1e-20) with points pt 7 ps 0.2 title "eq. (2) less eq. (3)", \
+plot "generated/surface.dat" using 1:(abs($2-$3)+1e-20) with points pt 7 ps 0.2 title "eq. (2) − eq. (3)", \
      "" using 1:($4+1e-20) with lines title "reported error"
 unset multiplot

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assignment.hpp"
-#include "numerics/dense_lu.hpp"
+#include "assignment/given/linear_equations.hpp"
 
 namespace exercise {
 namespace {
@@ -58,7 +58,7 @@ Eigen::VectorXd solve_touching(const Problem& problem, const std::vector<int>& t
     right_side[row] = -problem.initial_gap[static_cast<std::size_t>(i)];
   }
   right_side[n] = problem.line_load / problem.grid.spacing * unit;
-  Eigen::VectorXd unknowns = numerics::DenseLu(matrix).solve(right_side);
+  Eigen::VectorXd unknowns = solve_linear_equations(matrix, right_side);
   unknowns.head(n) /= unit;
   return unknowns;
 }

@@ -14,7 +14,8 @@ from pathlib import Path
 
 from literate_tools.common import parser, tool
 
-NOISE = re.compile(r"ninja: (build stopped|Entering directory|no work to do)|\[\d+/\d+\] (Re-checking globbed|look up the commit)")
+NOISE = re.compile(r"ninja: (build stopped|Entering directory|no work to do)"
+                   r"|\[\d+/\d+\] (Re-checking globbed|look up the commit)")
 
 
 def run(arguments: list[str]) -> int:
@@ -24,8 +25,8 @@ def run(arguments: list[str]) -> int:
     arguments_of.add_argument("--folder", type=Path, default=Path("build"), help="CMake's folder (build)")
     given = arguments_of.parse_args(arguments)
     # Rules that print while they run, such as long computations, write to standard error.
-    with subprocess.Popen([tool("ninja", "ninja-build"), "-C", str(given.folder), *given.targets], stdout=subprocess.PIPE, text=True,
-                          errors="replace") as ninja:
+    command = [tool("ninja", "ninja-build"), "-C", str(given.folder), *given.targets]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, errors="replace") as ninja:
         show(ninja.stdout, sys.stdout.isatty())
     return ninja.returncode
 

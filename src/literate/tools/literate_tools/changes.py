@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares the results of a paper that is built with former ones: those of a commit, which is computed again in a clone, or
 those in a results.json or a manifest. Lists what is new, gone, moved beyond or within the sum of both errors, and each verdict,
-flag or limit that is a different one, with the places in the prose that print it: those to read again. The list is written to
+flag or limit that is different, with the places in the prose that print it: those to read again. The list is written to
 changes.csv beside the PDF as well.
 
 examples:
@@ -18,7 +18,7 @@ from dataclasses import astuple, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from literate_tools.common import Failure, git, parser, quiet_run, write_bytes
+from literate_tools.common import Failure, configure, git, parser, quiet_run, write_bytes
 from literate_tools.settings import Settings, read_results, read_settings
 from literate_tools.uses import NAMED, read_uses
 
@@ -70,8 +70,7 @@ def results_of_commit(settings: Settings, since: str) -> Path:
         quiet_run(["git", "clone", "--quiet", "--shared", "--no-checkout", str(root), str(clone)], "git clone")
         quiet_run(["git", "checkout", "--quiet", commit], "git checkout", cwd=clone)
         source = clone / settings.source.relative_to(root)
-        configure = ["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", *settings.configure, f"-D{settings.name}_OUTPUT={output}"]
-        quiet_run(configure, f"configuring {since}")
+        configure(settings, source, build, output)
         quiet_run(["ninja", "-C", str(build), f"{settings.name}-results"], f"computing {since}")
         kept.parent.mkdir(parents=True, exist_ok=True)
         shutil.rmtree(kept, ignore_errors=True)
@@ -156,7 +155,7 @@ def compare_table(part: str, name: str, before: dict, after: dict) -> list[Chang
 
 
 def compare_figure(part: str, name: str, before: dict, after: dict) -> list[Change]:
-    """Compares what two figures say besides their data."""
+    """Compares the sizes, numbers, texts and columns of two figures."""
     keys = [key for key in ("width_cm", "height_cm", "numbers", "texts", "data") if before[key] != after[key]]
     return [Change("beyond", part, f"{name}: {key}", str(before[key]), str(after[key])) for key in keys]
 

@@ -17,6 +17,7 @@ from literate_tools.settings import Settings, read_results, read_settings
 from literate_tools.typed_numbers import typed_in_script, typed_numbers
 from literate_tools.uses import NAMED, Use, document_texts, names_in, read_uses
 
+SHAPES = {"ﬁ": "fi", "ﬂ": "fl", "ﬀ": "ff", "ﬃ": "ffi", "’": "'", "‘": "'", "``": '"', "''": '"', "“": '"', "”": '"'}
 SINGULAR = {"values": "value", "flags": "flag", "tables": "table", "figures": "figure", "claims": "claim"}
 
 
@@ -29,8 +30,8 @@ def run(arguments: list[str]) -> int:
     settings = read_settings(given.settings)
     results = read_results(settings.generated / "results.json")
     texts, uses = document_texts(settings), read_uses(settings)
-    findings = [*typed(settings, texts), *unknown(settings, results, texts), *idle_scripts(settings, results), *unused(results, texts, uses),
-                *latex_log.warnings(settings), *results["failed"]]
+    findings = [*typed(settings, texts), *unknown(settings, results, texts), *idle_scripts(settings, results),
+                *unused(results, texts, uses), *latex_log.warnings(settings), *results["failed"]]
     if given.paper:
         findings += altered_quotations(uses, given.paper)
     for finding in dict.fromkeys(findings):
@@ -42,15 +43,15 @@ def typed(settings: Settings, texts: dict[Path, str]) -> list[str]:
     """Returns the numbers that are typed into the prose and into the scripts of the figures."""
     found = [(path, "%", line, number) for path in texts for line, number in typed_numbers(path.read_text(errors="replace"))]
     found += [(path, "#", line, number) for path in settings.scripts for line, number in typed_in_script(path.read_text())]
-    return [f"{settings.shown(path)}:{line}: {number} is typed: register it, or, if it is no result, end the line with '{sign} constant: reason'"
-            for path, sign, line, number in found]
+    return [f"{settings.shown(path)}:{line}: {number} is typed: register it, or, if it is no result, end the line with "
+            f"'{sign} constant: reason'" for path, sign, line, number in found]
 
 
 def unknown(settings: Settings, results: dict, texts: dict[Path, str]) -> list[str]:
     """Returns names that the program does not register, which LaTeX does not see in branches that are not taken."""
-    return [f"{settings.shown(path)}:{line}: unknown {SINGULAR[NAMED[command]]} '{name}'{nearest(name, list(results[NAMED[command]]))}"
-            for path, text in texts.items() for command, name, line in names_in(text)
-            if name not in results[NAMED[command]] and "#" not in name]
+    found = [(path, line, NAMED[command], name) for path, text in texts.items() for command, name, line in names_in(text)]
+    return [f"{settings.shown(path)}:{line}: unknown {SINGULAR[part]} '{name}'{nearest(name, list(results[part]))}"
+            for path, line, part, name in found if name not in results[part] and "#" not in name]
 
 
 def idle_scripts(settings: Settings, results: dict) -> list[str]:
@@ -79,13 +80,13 @@ def altered_quotations(uses: list[Use], paper: Path) -> list[str]:
         text = plain(paper.read_text(errors="replace"))
     except OSError as error:
         raise Failure(f"{paper}: {error.strerror}") from None
-    return [f"{use.place}: {paper.name} does not say “{use.name}”" for use in uses
+    return [f"{use.place}: {paper.name} does not contain “{use.name}”" for use in uses
             if use.kind == "quoted" and not all(plain(part) in text for part in re.split(r"\\[lc]?dots|…|\[[^]]*\]", use.name))]
 
 
 def plain(text: str) -> str:
     """Returns the letters, digits and signs of a text: without blanks, hyphens, markup and the shapes of quotes and ligatures."""
     text = re.sub(r"\\(?:[,;:!/ -]|[A-Za-z]+\s*)|[{}$~\\]", " ", text)
-    for shape, letters in (("ﬁ", "fi"), ("ﬂ", "fl"), ("ﬀ", "ff"), ("ﬃ", "ffi"), ("’", "'"), ("‘", "'"), ("``", '"'), ("''", '"'), ("“", '"'), ("”", '"')):
+    for shape, letters in SHAPES.items():
         text = text.replace(shape, letters)
     return re.sub(r"[\s\-–—\u00ad]", "", text).casefold()

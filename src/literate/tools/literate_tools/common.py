@@ -94,9 +94,16 @@ def git(folder: Path, *arguments: str) -> str | None:
 
 def quiet_run(command: list[str], what: str, **options) -> None:
     """Runs a long command without its output, which is printed if it fails."""
-    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", **options)
+    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                         **options)
     if run.returncode:
         raise Failure(f"{run.stdout.rstrip()}\n{what} failed", 3)
+
+
+def configure(settings, source: Path, build: Path, output: Path, **options) -> None:
+    """Configures a copy of the project with the engine and the build type of this one."""
+    quiet_run(["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", *settings.configure,
+               f"-D{settings.name}_OUTPUT={output}"], f"configuring {source}", **options)
 
 
 def parser(verb: str, docstring: str):

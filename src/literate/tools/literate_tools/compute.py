@@ -61,11 +61,26 @@ def call(command: list[str], settings: Settings) -> int:
     others = os.environ.get("PYTHONPATH")
     environment["PYTHONPATH"] = f"{ENGINE / 'python'}{f':{others}' if others else ''}"
     try:
-        return subprocess.run(command, cwd=settings.source, env=environment).returncode
+        with subprocess.Popen(command, cwd=settings.source, env=environment) as running:
+            return wait(running, bool(settings.script))
     except FileNotFoundError:
         raise Failure(f"{command[0]}: there is no such program", 3) from None
     except PermissionError:
         raise Failure(f"{command[0]}: this is no program that can be run", 3) from None
+
+
+def wait(running: subprocess.Popen, is_script: bool) -> int:
+    """Waits for a command; of a script, which shows none, a terminal shows the seconds. Returns the exit code."""
+    seconds = 0
+    while True:
+        try:
+            code = running.wait(1 if is_script and sys.stderr.isatty() else None)
+        except subprocess.TimeoutExpired:
+            seconds += 1
+            print(f"\r{seconds} s ", end="", file=sys.stderr, flush=True)
+            continue
+        print("\r\x1b[K" if seconds else "", end="", file=sys.stderr, flush=True)
+        return code
 
 
 def ending(code: int) -> str:

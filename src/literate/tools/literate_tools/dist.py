@@ -44,8 +44,8 @@ def packed_files(settings: Settings) -> dict[str, Path]:
         elif path.name == "literate.sty":
             files["literate.sty"] = path
         elif path.is_relative_to(settings.source):
-            raise Failure(f"{settings.shown(path)}: LaTeX reads this file outside of {settings.shown(settings.document)}, and it cannot "
-                          "be packed")
+            raise Failure(f"{settings.shown(path)}: LaTeX reads this file outside of {settings.shown(settings.document)}, "
+                          "and it cannot be packed")
     for name in ("values.csv", "claims.csv", "tables.csv"):  # which \attachdata reads
         files[f"generated/{name}"] = settings.generated / name
     bibliography = settings.latex / f"{settings.name}.bbl"

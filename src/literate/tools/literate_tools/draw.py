@@ -33,7 +33,8 @@ def draw(settings: Settings, script: Path, generated: Path) -> None:
         return
     style = script.with_name("style.gp")
     files = ["data.gp", *([str(style)] if style.exists() else []), str(script)]
-    ran = subprocess.run([tool("gnuplot", "gnuplot-nox"), "-d", *files], cwd=folder, env=os.environ | {"LC_ALL": "C.UTF-8", "TZ": "UTC"},
+    environment = os.environ | {"LC_ALL": "C.UTF-8", "TZ": "UTC"}
+    ran = subprocess.run([tool("gnuplot", "gnuplot-nox"), "-d", *files], cwd=folder, env=environment,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     said = with_places(ran.stdout, settings)
     print(said, end="", file=sys.stderr)

@@ -41,7 +41,7 @@ def errors(settings: Settings) -> list[Error]:
         if not placed and not bare:
             continue
         message = (placed[3] if placed else bare[1]).removeprefix("Package literate Error: ").removesuffix(".")
-        if bare:  # of a file that is missing LaTeX says where when it stops
+        if bare:  # of a missing file LaTeX gives the place when it stops
             placed = next(filter(None, (re.match(r"(.+?):(\d+): Emergency stop", later) for later in lines[number:])), None)
         file = Path(os.path.realpath(settings.document / placed[1])) if placed else None
         if file and not file.is_file():
@@ -60,8 +60,8 @@ def report(settings: Settings, all_errors: list[Error]) -> list[str]:
     kept = [error for error in all_errors
             if error.message.startswith("unknown ") or (error.file, error.line) not in unknown]
     results = read_results(settings.generated / "results.json")
-    lines = dict.fromkeys(f"{place(settings, results, error)}{error.message}{suggestion(results, error.message)}" for error in kept)
-    lines = list(lines)
+    lines = [f"{place(settings, results, error)}{error.message}{suggestion(results, error.message)}" for error in kept]
+    lines = list(dict.fromkeys(lines))
     commands = {f"undefined command \\{name}" for name in COMMANDS}
     if not uses_package(settings) and any(error.message in commands for error in all_errors):
         lines = [f"{first_command(settings)}: \\usepackage{{literate}} is missing"]

@@ -9,9 +9,11 @@ from literate_tools.common import Failure, nearest
 VERBS = {
     "new": "write a new paper that builds at once",
     "check": "find typed numbers, unused names and altered quotations",
-    "changes": "list what changed since a commit or another results.json",
+    "changes": "list what changed since a commit or a different results.json",
     "severity": "plant faults and record which claims or tests notice them",
     "verify": "build the paper again elsewhere and compare every byte",
+    "html": "make the paper a web page: one file that loads nothing",
+    "site": "make a folder for a web server: page, PDF and data",
     "dist": "pack the sources of the document as arXiv and journals take them",
     "case": "compute, draw and typeset one case into a folder",
     "cases": "do so for several cases and put their results into one table",

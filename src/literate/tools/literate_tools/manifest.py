@@ -32,7 +32,7 @@ def output_files(settings: Settings) -> list[str]:
 
 
 def source_files(settings: Settings) -> list[Path]:
-    """Returns the case, the sources of the program, the scripts of the figures, and the prose, as far as they are the project's."""
+    """Returns case, sources of the program, scripts of figures and prose, as far as they are the project's."""
     from literate_tools.typeset import recorded
     styles = {script.with_name("style.gp") for script in settings.scripts}
     files = {settings.case, *recorded(settings), *settings.scripts, *filter(Path.exists, styles)}
@@ -43,7 +43,7 @@ def source_files(settings: Settings) -> list[Path]:
 
 
 def versions(settings: Settings) -> dict[str, str]:
-    """Returns the versions of the tools: CMake told those of compiler and engine, LaTeX's log tells its own."""
+    """Returns the versions of the tools: CMake recorded those of the compiler, and LaTeX's log has its own."""
     log = log_of(settings)
     tools = dict(settings.versions)
     for name, pattern in (("pdfTeX", r"This is pdfTeX, Version (\S+)"), ("LaTeX", r"LaTeX2e <([\d-]+)>")):

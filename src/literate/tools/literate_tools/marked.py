@@ -29,8 +29,7 @@ def write_marked_pdf(settings: Settings, since: str, former: Path) -> None:
                              f"new/{settings.main}"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     if marked.returncode:
         raise Failure(f"latexdiff failed:\n{marked.stderr.decode(errors='replace')}", 3)
-    text = marked.stdout.replace(rb"\begin{document}", b"\\providecommand\\LiteratePrinted[1]{#1}\n\\begin{document}", 1)
-    (folder / "new" / "marked.tex").write_bytes(text)
+    (folder / "new" / "marked.tex").write_bytes(b"\\providecommand\\LiteratePrinted[1]{#1}%\n" + marked.stdout)
     os.symlink(settings.generated, folder / "generated")
     # The clean document's settings, but for where it is.
     pdf = run_latex(replace(settings, name=f"{settings.name}.changes", document=folder / "new", main="marked.tex", output=folder))

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from literate_tools.common import ENGINE, Failure, git, parser
 
-TEMPLATE_NAME, TEMPLATE_ADDRESS = "mypaper", "https://example.org/halfspace.git"
+TEMPLATE_NAME, TEMPLATE_ADDRESS, TEMPLATE_COMMIT = "mypaper", "ADDRESS-OF-THE-ENGINE", "COMMIT-OF-THE-ENGINE"
 
 
 def run(arguments: list[str]) -> int:
@@ -30,13 +30,15 @@ def run(arguments: list[str]) -> int:
     for part in ("common", "python" if given.python else "cpp"):
         copy(ENGINE / "template" / part, folder, name)
     (folder / ".engine").write_text(f"{ENGINE}\n")
-    print(f"{given.folder}: cd there and run make; README.md says what is where")
+    print(f"{given.folder}: cd there and run make; README.md describes the files")
     return 0
 
 
 def copy(template: Path, folder: Path, name: str) -> None:
     """Copies a part of the template, in which the paper gets its name."""
-    address = git(ENGINE, "remote", "get-url", "origin") or TEMPLATE_ADDRESS
+    address, commit = git(ENGINE, "remote", "get-url", "origin"), git(ENGINE, "rev-parse", "HEAD")
+    if not address or not commit or not re.match(r"\w+://|\w+@", address):  # installed, or a clone of this machine
+        address, commit = TEMPLATE_ADDRESS, TEMPLATE_COMMIT
     for path in sorted(template.rglob("*")):
         target = folder / str(path.relative_to(template)).replace(TEMPLATE_NAME, name)
         if path.name == "gitignore":
@@ -45,6 +47,6 @@ def copy(template: Path, folder: Path, name: str) -> None:
             target.mkdir(parents=True, exist_ok=True)
         else:
             target.parent.mkdir(parents=True, exist_ok=True)
-            text = path.read_text().replace(TEMPLATE_NAME, name).replace(TEMPLATE_ADDRESS, address)
-            target.write_text(text)
+            text = path.read_text().replace(TEMPLATE_NAME, name)
+            target.write_text(text.replace(TEMPLATE_ADDRESS, address).replace(TEMPLATE_COMMIT, commit))
             shutil.copymode(path, target)

@@ -23,6 +23,7 @@ class Settings:
     output: Path  # PDF, manifest, generated/ and latex/
     build: Path  # CMake's folder
     faults: Path | None = None
+    depfile_base: str = ""  # where relative names in a depfile begin; CMake reads it first if this is empty
     program: list[str] = field(default_factory=list)  # called with: compute CASE FOLDER
     script: list[str] = field(default_factory=list)  # called with: CASE FILE.json
     results_program: str = ""  # reads FILE.json

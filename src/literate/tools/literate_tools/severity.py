@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plants faults in a copy of the project, one at a time. Computed with each, the claims that have another verdict are turned by
-it: severity.csv and severity.tex beside the prose record which, and \\claimledger prints them. A claim that no fault turns
-could not have failed. With --tests the tests run instead, and the faults that none of them noticed are listed.
+"""Plants faults in a copy of the project, one at a time, and computes. A fault turns each claim whose verdict changes:
+severity.csv and severity.tex beside the prose record them, and \\claimledger prints them. A claim that no fault turns could
+not have failed. With --tests the tests run instead, and the faults that no test notices are listed.
 
 The list of faults has one line for each: id | file | before | after | what is wrong [| test], where the text before is in the
 file exactly once. A run that was stopped goes on where it was.
@@ -9,7 +9,8 @@ file exactly once. A run that was stopped goes on where it was.
 examples:
   literate severity build/mypaper.json
   literate severity build/mypaper.json --only quarter-angle
-  literate severity build/mypaper.json --build 'cmake -S . -B b && cmake --build b' --tests 'ctest --test-dir b -R "$TEST"'
+  literate severity build/mypaper.json --faults others.txt --build 'cmake -S . -B b && cmake --build b' \\
+    --tests 'ctest --test-dir b -R "$TEST"'
 """
 
 import csv
@@ -18,11 +19,12 @@ import io
 import json
 import os
 import re
+import signal
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from literate_tools.common import Failure, git, parser, quiet_run, write_bytes, write_if_changed
+from literate_tools.common import Failure, configure, git, parser, quiet_run, write_bytes, write_if_changed
 from literate_tools.settings import Settings, read_results, read_settings
 
 
@@ -42,25 +44,27 @@ def run(arguments: list[str]) -> int:
     """Plants the faults and records what notices them. Ends with 1 if a fault is unfit, or unnoticed by the tests."""
     arguments_of = parser("severity", __doc__)
     arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
+    arguments_of.add_argument("--faults", type=Path, metavar="FILE", help="the list (the paper's FAULTS)")
     arguments_of.add_argument("--only", metavar="ID", help="plant this fault alone, and record nothing")
+    arguments_of.add_argument("--timeout", type=float, default=1800, metavar="SECONDS", help="for one fault (1800)")
     arguments_of.add_argument("--build", default="true", metavar="COMMAND", help="builds the tests, in the copy")
     arguments_of.add_argument("--tests", metavar="COMMAND", help="runs them; $TEST is the last field of the fault's line")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
-    if not settings.faults:
-        raise Failure("literate_add_paper names no FAULTS")
-    faults = read_faults(settings.faults)
-    chosen = [fault for fault in faults if given.only in (None, fault.id)]
+    file = given.faults or settings.faults
+    if not file:
+        raise Failure("literate_add_paper has no FAULTS: give --faults")
+    chosen = [fault for fault in read_faults(file) if given.only in (None, fault.id)]
     if not chosen:
-        raise Failure(f"{settings.shown(settings.faults)}: there is no fault '{given.only}'")
+        raise Failure(f"{settings.shown(file)}: there is no fault '{given.only}'" if given.only else f"{file}: it is empty")
     copy = settings.output / "severity" / "source"
     mirror(settings, copy)
     for fault in chosen:
         planted(copy, fault)  # refuses an unfit line before anything is built
     if given.tests:
-        return against_tests(copy, chosen, given.build, given.tests)
-    found = against_claims(settings, copy, chosen)
-    if not given.only:
+        return against_tests(copy, chosen, given.build, given.tests, given.timeout)
+    found = against_claims(settings, copy, chosen, given.timeout)
+    if not given.only and not given.faults:
         record(settings, chosen, found)
     return 1 if "does not compile" in found.values() else 0
 
@@ -110,11 +114,10 @@ def planted(copy: Path, fault: Fault) -> str:
     return text.replace(fault.before, fault.after)
 
 
-def against_claims(settings: Settings, copy: Path, faults: list[Fault]) -> dict[str, str]:
+def against_claims(settings: Settings, copy: Path, faults: list[Fault], timeout: float) -> dict[str, str]:
     """Returns for each fault which claims it turns, or what else happens."""
     build, output = copy.parent / "build", copy.parent / "output"
-    quiet_run(["cmake", "-S", str(copy), "-B", str(build), "-G", "Ninja", *settings.configure, f"-D{settings.name}_OUTPUT={output}"],
-              "configuring the copy")
+    configure(settings, copy, build, output)
     results = f"{settings.name}-results"
     quiet_run(["ninja", "-C", str(build), results], "computing without a fault")
     right = verdicts(output)
@@ -125,7 +128,7 @@ def against_claims(settings: Settings, copy: Path, faults: list[Fault]) -> dict[
     for fault in faults:
         key = hashlib.sha256(f"{state}{fault}".encode()).hexdigest()
         if key not in known:
-            known[key] = with_fault(copy, fault, lambda: turned(settings, build, output, right))
+            known[key] = with_fault(copy, fault, lambda: turned(settings, build, output, right, timeout))
             write_if_changed(known_file, json.dumps(known))
         found[fault.id] = known[key]
         print(f"{fault.id}: {found[fault.id]}", flush=True)
@@ -154,13 +157,26 @@ def with_fault(copy: Path, fault: Fault, action) -> str:
         path.write_text(right)
 
 
-def turned(settings: Settings, build: Path, output: Path, right: dict[str, str]) -> str:
-    """Builds the results with a fault and names the claims and checks with another verdict."""
-    ran = subprocess.run(["ninja", "-C", str(build), f"{settings.name}-results"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                         text=True, errors="replace")
-    if ran.returncode:
+def run_limited(command: list[str], timeout: float, **options) -> tuple[int | None, str]:
+    """Returns the exit code of a command, None if it took too long, and what it printed."""
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                          start_new_session=True, **options) as running:
+        try:
+            printed = running.communicate(timeout=timeout)[0]
+            return running.returncode, printed
+        except subprocess.TimeoutExpired:
+            os.killpg(running.pid, signal.SIGKILL)  # a fault may keep a loop from ending
+            return None, running.communicate()[0]
+
+
+def turned(settings: Settings, build: Path, output: Path, right: dict[str, str], timeout: float) -> str:
+    """Builds the results with a fault and names the claims and checks whose verdict changes."""
+    code, printed = run_limited(["ninja", "-C", str(build), f"{settings.name}-results"], timeout)
+    if code is None:
+        return "does not end"
+    if code:
         # The rule that computes is the only one that calls `literate compute`: any other that failed is a compiler's.
-        failed = ran.stdout[ran.stdout.find("FAILED:"):].splitlines()
+        failed = printed[printed.find("FAILED:"):].splitlines()
         return "stops the computation" if any(" compute " in line for line in failed[:2]) else "does not compile"
     now = verdicts(output)
     names = [name for name in right if now.get(name) != right[name]] + [name for name in now if name not in right]
@@ -187,15 +203,16 @@ def record(settings: Settings, faults: list[Fault], found: dict[str, str]) -> No
     if write_if_changed(settings.document / "severity.tex", "".join(lines)):
         (settings.output / "typeset.stamp").unlink(missing_ok=True)  # Ninja does not know a file that was not there
     idle = [claim for claim, ids in turning.items() if not ids]
-    print(f"{len(faults)} faults turn {len(claims) - len(idle)} of {len(claims)} claims" + (f"; not turned: {', '.join(idle)}" if idle else ""))
+    print(f"{len(faults)} faults turn {len(claims) - len(idle)} of {len(claims)} claims"
+          + (f"; not turned: {', '.join(idle)}" if idle else ""))
 
 
-def against_tests(copy: Path, faults: list[Fault], build: str, tests: str) -> int:
+def against_tests(copy: Path, faults: list[Fault], build: str, tests: str, timeout: float) -> int:
     """Runs the tests with each fault and lists those that none noticed."""
     def outcome(fault: Fault | None) -> str:
         environment = os.environ | {"TEST": fault.test if fault else ""}
         for command, failure in ((build, "does not compile"), (tests, "noticed")):
-            if subprocess.run(command, shell=True, cwd=copy, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode:
+            if run_limited(["sh", "-c", command], timeout, cwd=copy, env=environment)[0] != 0:
                 return failure
         return "not noticed"
     if (without := outcome(None)) != "not noticed":

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finds numbers that are typed into prose or scripts, where computed ones belong.
 
-Typed are a number with a unit, whatever is between the two, and a number of more than two significant digits. Free are numbers
-in displayed formulas without a unit, years, and places in cited sources. A line that ends with `% constant: reason` keeps its numbers.
+Typed are a number with a unit, whatever is between the two, and a number of more than two significant digits. Free are
+numbers in displayed formulas without a unit, years, and places in cited sources. A line that ends with
+`% constant: reason` keeps its numbers.
 """
 
 import re
@@ -10,46 +11,81 @@ import re
 from literate_tools.uses import without_comments
 
 MOST_DIGITS = 2  # «of order 2», «40 elements»
-NUMERAL = re.compile(r"(\d{1,3}(?:(?:\{,\}|\\,|,|~| )\d{3}(?!\d))+|\d+)((?:\.|\{\.\})\d+)?(?:\(\d+\))?"
-                     r"([eE][+-]?\d+|(?:\s*\\(?:times|cdot)\s*10)?\^(?:\{[+-]?\d+\}|\d))?")
-SYMBOLS = (r"(?:[munpkMGTµμ]|\\mu\s*\$?\s*|\\micro|da|d|c|h)?(?:Pa|Hz|eV|bar|mol|Wh|Ah|rad|lm|lx|Bq|Gy|Sv|[mgsNJWVAFHTCLlKΩ]|\\(?:Omega|ohm))"
-           r"|[kMGT]i?B|dB|Np|lbf?|psi|ksi|min|hour|h|ft|sr|rpm|[°º][CF]?|K|S|t|\\(?:degree|textdegree|celsius|textcelsius|percent)")
-WORDS = (r"per ?cent|pounds?|inch(?:es)?|feet|foot|degrees?|(?:micro|milli|centi|kilo)?(?:met(?:re|er)|gram|gramme)s?|seconds?|minutes?|hours?"
-         r"|days?|weeks?|years?|newtons?|pascals?|kelvins?|volts?|amperes?|watts?|joules?|hertz|lit(?:re|er)s?|(?:milli|micro)(?:second|volt|lit(?:re|er))s?")
-UNIT = rf"(?:\\%|%|(?:{SYMBOLS}|{WORDS})(?![A-Za-z]))"
-BETWEEN = r"(?:\s|~|\\[,;:!> ]|\\(?:thinspace|enspace|quad|nobreakspace|hspace\*?\{[^}]*\}|,)|[{}$-])*"
-UPRIGHT = r"\\(?:unit|si|mathrm|textrm|text|mbox|ensuremath|operatorname)\s*(?:\[[^\]]*\])?\s*\{"
-# In a formula letters are variables unless they are upright. «in» is a unit where a blank that does not break or a stop is beside it.
-UNIT_IN_TEXT = re.compile(rf"{BETWEEN}(?:{UNIT}|\\(?:unit|si)\b|\^\{{?\\circ|{UPRIGHT}{BETWEEN}(?:{UNIT}|in\b))|(?:~|\\,)in\b|\s+in\s*[.,;)]"
-                          rf"|/(?:s|min|h|d|cm|mm|km|kg|mol)(?![A-Za-z])")
-UNIT_IN_MATH = re.compile(rf"{BETWEEN}(?:\\%|\^\{{?\\circ|\\(?:unit|si|degree)\b|(?<!\d)\\(?:Omega|ohm)\b|''?|{UPRIGHT}{BETWEEN}(?:{UNIT}|in\b))|[^$]{{0,3}}\$")
+
+
+def either(words: str) -> str:
+    """Returns a pattern of any of these words, which are patterns themselves."""
+    return "|".join(words.split())
+
+
+NUMERAL = re.compile(
+    r"(\d{1,3}(?:(?:\{,\}|\\,|,|~| )\d{3}(?!\d))+|\d+)((?:\.|\{\.\})\d+)?(?:\(\d+\))?"
+    r"([eE][+-]?\d+|(?:\s*\\(?:times|cdot)\s*10)?\^(?:\{[+-]?\d+\}|\d))?")
+
+PREFIX = r"(?:[munpkMGTµμ]|\\mu\s*\$?\s*|\\micro|da|d|c|h)?"
+WITH_PREFIX = either(r"Pa Hz eV bar mol Wh Ah rad lm lx Bq Gy Sv [mgsNJWVAFHTCLlKΩ] \\(?:Omega|ohm)")
+WITHOUT_PREFIX = either(
+    r"[kMGT]i?B dB Np lbf? psi ksi min hour h ft sr rpm [°º][CF]? K S t"
+    r" \\(?:degree|textdegree|celsius|textcelsius|percent)")
+WORDS = either(
+    r"per\s?cent pounds? inch(?:es)? feet foot degrees? (?:micro|milli|centi|kilo)?(?:met(?:re|er)|gramm?e?)s?"
+    r" (?:milli|micro)?(?:seconds?|volts?|lit(?:re|er)s?) minutes? hours? days? weeks? years? newtons? pascals? kelvins?"
+    r" amperes? watts? joules? hertz")
+UNIT = rf"(?:\\%|%|(?:{PREFIX}(?:{WITH_PREFIX})|{WITHOUT_PREFIX}|{WORDS})(?![A-Za-z]))"
+BLANK = r"(?:\s|~|\\[,;:!> ]|\\(?:thinspace|enspace|quad|nobreakspace|hspace\*?\{[^}]*\}))"
+BETWEEN = rf"(?:{BLANK}|[{{}}$-])*"
+UPRIGHT = rf"\\(?:{either('unit si mathrm textrm text mbox ensuremath operatorname')})\s*(?:\[[^\]]*\])?\s*\{{"
+IN_UPRIGHT = rf"{UPRIGHT}{BETWEEN}(?:{UNIT}|in\b)"
+# «in» is a unit where a blank that does not break is before it or a stop behind it.
+UNIT_IN_TEXT = re.compile(
+    rf"{BETWEEN}(?:{UNIT}|\\(?:unit|si)\b|\^\{{?\\circ|{IN_UPRIGHT})|(?:~|\\,)in\b|\s+in\s*[.,;)]"
+    r"|/(?:s|min|h|d|cm|mm|km|kg|mol)(?![A-Za-z])")
+# In a formula letters are variables unless they are upright.
+UNIT_IN_FORMULA = re.compile(
+    rf"{BETWEEN}(?:\\%|\^\{{?\\circ|\\(?:unit|si|degree)\b|(?<!\d)\\(?:Omega|ohm)\b|''?|{IN_UPRIGHT})")
 QUANTITY = re.compile(r"\\(?:qty|SI|numrange|qtyrange|SIrange)\s*(?:\[[^\]]*\])?\{[^{}]*$")
-# Arguments that are no prose. The text keeps its length, and a citation leaves a mark.
-HIDDEN = (r"\\(?:label|[cC]ref|ref|eqref|pageref|autoref|nameref|bibitem|bibliography|bibliographystyle|input|include|includegraphics|val|rawval|tab|fig"
-          r"|claim|ifflag|statement|quoted|verdict|[hv]space\*?|hskip|vskip|kern|setlength|addtolength|setcounter|addtocounter|usepackage|documentclass|rule|url|href"
-          r"|color|textcolor|definecolor|resizebox|scalebox|raisebox|parbox|makebox|multicolumn|multirow|cmidrule|cline|addlinespace|fontsize"
-          r"|begin|end|hypersetup|pdfbookmark|lstinputlisting|enlargethispage|linespread|vphantom|hphantom)(?![A-Za-z])\*?")
-ARGUMENTS = {"rule": 2, "setlength": 2, "addtolength": 2, "setcounter": 2, "addtocounter": 2, "fontsize": 2, "definecolor": 3, "resizebox": 2}
-DISPLAYS = re.compile(r"\\\[.*?\\\]|\$\$.*?\$\$|\\begin\{((?:equation|align|gather|multline|eqnarray|displaymath|flalign)\*?)\}.*?\\end\{\1\}", re.S)
-VERBATIM = re.compile(r"\\begin\{(verbatim|lstlisting|Verbatim|tikzpicture|thebibliography)\*?\}.*?\\end\{\1\*?\}|\\verb\*?(\W).*?\2", re.S)
-CITE = "\x03"
-MONTHS = "January|February|March|April|May|June|July|August|September|October|November|December"
-PLACES = r"(?:[\s~\d.,()–-]|[a-z]\)|and|or|of|in|[Pp]ages?|pp?\.|[Cc]hap(?:ter|\.)|[Ss]ec(?:tions?|s?\.)|[Ee]q(?:uations?|s?\.)|[Ff]ig(?:ures?|s?\.)|[Tt]ab(?:les?|\.)|[Nn]o\.|[Vv]ol\.)*"
+
+# Commands whose arguments are no prose, and how many they have if there is more than one.
+HIDDEN_NAMES = either(r"""
+    label [cC]ref ref eqref pageref autoref nameref bibitem bibliography bibliographystyle input include includegraphics
+    val rawval tab fig claim ifflag statement quoted verdict [hv]space hskip vskip kern setlength addtolength setcounter
+    addtocounter usepackage documentclass rule url href color textcolor definecolor resizebox scalebox raisebox parbox
+    makebox multicolumn multirow cmidrule cline addlinespace fontsize begin end hypersetup pdfbookmark lstinputlisting
+    enlargethispage linespread vphantom hphantom""")
+HIDDEN = re.compile(rf"\\({HIDDEN_NAMES})(?![A-Za-z])\*?")
+N_ARGUMENTS = {"rule": 2, "setlength": 2, "addtolength": 2, "setcounter": 2, "addtocounter": 2, "fontsize": 2,
+               "definecolor": 3, "resizebox": 2}
+OPTION = re.compile(r"\s*\[[^\]]*\]")
+ARGUMENT = re.compile(r"\s*\{(?:[^{}]|\{[^{}]*\})*\}|\s*-?[\d.]+\s*(?:pt|em|ex|mm|cm|in|sp|bp)")
+DISPLAY = either("equation align gather multline eqnarray displaymath flalign")
+DISPLAYS = re.compile(rf"\\\[.*?\\\]|\$\$.*?\$\$|\\begin\{{((?:{DISPLAY})\*?)\}}.*?\\end\{{\1\}}", re.S)
+DISPLAY_ENDS = re.compile(rf"\\(?:begin|end)\s*\{{(?:{DISPLAY})\*?\}}")
+VERBATIM = re.compile(
+    rf"\\begin\{{({either('verbatim lstlisting Verbatim tikzpicture thebibliography')})\*?\}}.*?\\end\{{\1\*?\}}"
+    r"|\\verb\*?(\W).*?\2", re.S)
+
+CITE = "\x03"  # what a citation leaves in the readable text
+CITATION = re.compile(r"\\[a-z]*[cC]ite[a-z]*\*?\s*(?:\[[^\]]*\]\s*)*\{[^{}]*\}")
+MONTH = either("January February March April May June July August September October November December")
+PLACE = either(r"[Pp]ages? pp?\. [Cc]hap(?:ter|\.) [Ss]ec(?:tions?|s?\.) [Ee]q(?:uations?|s?\.) [Ff]ig(?:ures?|s?\.)"
+               r" [Tt]ab(?:les?|\.) [Nn]o\. [Vv]ol\.")
+PLACES = rf"(?:[\s~\d.,()–-]|[a-z]\)|and|or|of|in|{PLACE})*"
 
 
 def typed_numbers(text: str) -> list[tuple[int, str]]:
     """Returns line and number of each typed number in the LaTeX of a document's body."""
     kept = {number for number, line in enumerate(text.splitlines(), 1) if re.search(r"%\s*constant:\s*\S", line)}
     prose = readable(text)
-    math = [(m.start(), m.end()) for m in re.finditer(r"(?<!\\)\$[^$]*\$|\\\(.*?\\\)", prose, re.S)]
-    displays = [(m.start(), m.end()) for m in DISPLAYS.finditer(prose)]
+    formulas = [match.span() for match in re.finditer(r"(?<!\\)\$[^$]*\$|\\\(.*?\\\)", prose, re.S)]
+    displays = [match.span() for match in DISPLAYS.finditer(prose)]
     found = []
     for at, end, number, is_long in numerals(prose):
-        in_display = any(a <= at < b for a, b in displays)
-        formula = next((b for a, b in math if a <= at < b), None)
-        has_unit = unit_follows(prose, at, end, formula, in_display)
+        in_display = any(begin <= at < stop for begin, stop in displays)
+        formula_end = next((stop for begin, stop in formulas if begin <= at < stop), None)
+        has_unit = unit_follows(prose, at, end, formula_end, in_display)
         line = prose.count("\n", 0, at) + 1
-        if (has_unit or (is_long and not in_display)) and line not in kept and not is_reference(prose, at, end, number, has_unit):
+        is_typed = has_unit or (is_long and not in_display)
+        if is_typed and line not in kept and not is_reference(prose, at, end, number, has_unit):
             found.append((line, number))
     return found
 
@@ -60,7 +96,7 @@ def numerals(prose: str):
     while match := NUMERAL.search(prose, at):
         at = match.end()
         before = prose[max(match.start() - 2, 0):match.start()]
-        if re.search(r"[A-Za-z0-9._@]$|[A-Za-z]-$", before):  # it continues a word or a longer number, as in MEAE-4960
+        if re.search(r"[A-Za-z0-9._@]$|[A-Za-z]-$", before):  # it continues a word or a number, as in MEAE-4960
             continue
         digits = re.sub(r"\D", "", match[1] + (match[2] or "")).lstrip("0")
         if not match[2]:
@@ -68,64 +104,62 @@ def numerals(prose: str):
         yield match.start(), match.end(), match[0], len(digits) > MOST_DIGITS
 
 
-def unit_follows(prose: str, at: int, end: int, formula: int | None, in_display: bool) -> bool:
+def unit_follows(prose: str, at: int, end: int, formula_end: int | None, in_display: bool) -> bool:
     """Returns whether a number has a unit: behind it, behind its formula, or as the second argument of \\qty."""
     if QUANTITY.search(prose[max(at - 80, 0):at]):
         return True
-    if formula is None and not in_display:
+    if formula_end is None and not in_display:
         return bool(UNIT_IN_TEXT.match(prose, end))
-    inside = UNIT_IN_MATH.match(prose, end)
-    if inside and not inside[0].endswith("$"):
+    if UNIT_IN_FORMULA.match(prose, end):
         return True
-    return formula is not None and bool(re.fullmatch(r"[\s}]*\$", prose[end:formula])) and bool(UNIT_IN_TEXT.match(prose, formula))
+    if formula_end is None or not re.fullmatch(r"[\s}]*\$", prose[end:formula_end]):
+        return False
+    return bool(UNIT_IN_TEXT.match(prose, formula_end))
 
 
 def is_reference(prose: str, at: int, end: int, number: str, has_unit: bool) -> bool:
-    """Returns whether a number is a year, in parentheses, behind a month or beside a citation, or a place in a cited source."""
+    """Returns whether a number is a year, in parentheses, behind a month or beside a citation, or a place in a source."""
     before, after = prose[max(at - 160, 0):at], prose[end:end + 160]
     if re.fullmatch(r"(1[5-9]|20)\d\d", number):
-        if before.endswith("(") and after.startswith(")") or re.search(rf"(?:{MONTHS})[\s~]*$", before):
+        if before.endswith("(") and after.startswith(")"):
             return True
-        if re.match(rf"[\s~]*{CITE}", after):
+        if re.search(rf"(?:{MONTH})[\s~]*$", before) or re.match(rf"[\s~]*{CITE}", after):
             return True
-    return not has_unit and bool(re.search(rf"{CITE}\s*,?{PLACES}$", before)
-                or re.search(rf"\b(?:[Pp]ages?|pp?\.|[Cc]hapter|[Ss]ection|[Ee]qs?\.|[Ff]igs?\.|[Tt]ables?|\()[\s~(]*$", before)
-                and re.match(rf"{PLACES}[\s~]*{CITE}", after))
+    if has_unit:
+        return False
+    is_behind = re.search(rf"{CITE}\s*,?{PLACES}$", before)
+    is_before = re.search(rf"(?:\b(?:{PLACE})|\()[\s~(]*$", before) and re.match(rf"{PLACES}[\s~]*{CITE}", after)
+    return bool(is_behind or is_before)
 
 
 def readable(text: str) -> str:
-    """Returns LaTeX with blanks, line for line, in place of the preamble, of comments and of arguments that are no prose."""
-    text = without_comments(text)
-    text = VERBATIM.sub(blank, text)
+    """Returns LaTeX with blanks in place of the preamble, comments and arguments that are no prose. Lines stay lines."""
+    text = VERBATIM.sub(blank, without_comments(text))
     if r"\begin{document}" in text:
         preamble, begin, body = text.partition(r"\begin{document}")
         text = re.sub(r"[^\n]", " ", preamble + begin) + body
-    text = re.sub(r"\\[a-z]*[cC]ite[a-z]*\*?\s*(?:\[[^\]]*\]\s*)*\{[^{}]*\}", lambda m: CITE + blank(m)[1:], text)
-    return hide(text)
-
-
-def hide(text: str) -> str:
-    """Blanks the commands in HIDDEN with their arguments, and the optional arguments that are no prose."""
+    text = CITATION.sub(lambda match: CITE + blank(match)[1:], text)
     at = 0
-    while match := re.compile(HIDDEN).search(text, at):
-        end = match.end()
-        for _ in range(ARGUMENTS.get(match[0].strip("\\*"), 1)):
-            while option := re.compile(r"\s*\[[^\]]*\]").match(text, end):
-                end = option.end()
-            if argument := re.compile(r"\s*\{(?:[^{}]|\{[^{}]*\})*\}|\s*-?[\d.]+\s*(?:pt|em|ex|mm|cm|in|sp|bp)").match(text, end):
-                end = argument.end()
-        if match[0].startswith("\\begin"):  # the width of a box, the columns of a table
-            while option := re.compile(r"\[[^\]]*\]|\{(?:[^{}]|\{[^{}]*\})*\}").match(text, end):
-                end = option.end()
-        if match[0].startswith("\\begin") and re.match(r"\\begin\{" + DISPLAY_NAMES, text[match.start():]) or match[0].startswith("\\end"):
-            at = end  # these delimit displays
-            continue
-        text = text[:match.start()] + re.sub(r"[^\n]", " ", text[match.start():end]) + text[end:]
-        at = end
+    while match := HIDDEN.search(text, at):
+        at = end_of_arguments(text, match)
+        if not DISPLAY_ENDS.match(text, match.start()):
+            text = text[:match.start()] + re.sub(r"[^\n]", " ", text[match.start():at]) + text[at:]
     return re.sub(r"(?<=\\\\)\[[^\]]*\]", blank, text)
 
 
-DISPLAY_NAMES = r"(?:equation|align|gather|multline|eqnarray|displaymath|flalign)\*?\}"
+def end_of_arguments(text: str, command: re.Match) -> int:
+    """Returns where the arguments of a command in HIDDEN end, optional ones included."""
+    end = command.end()
+    n_arguments = 99 if command[1] == "begin" else N_ARGUMENTS.get(command[1], 1)
+    for _ in range(n_arguments):
+        while option := OPTION.match(text, end):
+            end = option.end()
+        # Behind \begin{…} the width of a box or the columns of a table may follow at once.
+        argument = ARGUMENT.match(text, end)
+        if not argument or (command[1] == "begin" and text[end] != "{"):
+            break
+        end = argument.end()
+    return end
 
 
 def blank(match: re.Match) -> str:
@@ -135,19 +169,19 @@ def blank(match: re.Match) -> str:
 
 def typed_in_script(text: str) -> list[tuple[int, str]]:
     """Returns line and number of what is typed into a gnuplot script: in its texts, in what it plots, and as data."""
-    found, is_plot = [], False
+    string = re.compile(r""""(?:[^"\\]|\\.)*"|'[^']*'""")
+    found, is_plot, was_continued = [], False, False
     for number, line in enumerate(text.splitlines(), 1):
-        code = re.sub(r"""("(?:[^"\\]|\\.)*"|'[^']*')|#.*""", lambda m: m[1] or "", line)
+        code = re.sub(rf"({string.pattern})|#.*", lambda match: match[1] or "", line)
         is_plot = bool(re.match(r"\s*s?plot\b", line)) or (is_plot and was_continued)
         was_continued = code.rstrip().endswith("\\")
         if re.search(r"#\s*constant:\s*\S", line):
             continue
         if re.match(r"\s*\$\w+\s*<<", code) or re.search(r"""(['"])-\1""", code):
             found.append((number, "a block of data"))
-        for string in re.findall(r""""(?:[^"\\]|\\.)*"|'[^']*'""", code):
-            if string[1:2] != "#":
-                found += [(number, typed) for _, typed in typed_numbers(string[1:-1])]
+        for words in string.findall(code):
+            if words[1:2] != "#":  # a colour
+                found += [(number, typed) for _, typed in typed_numbers(words[1:-1])]
         if is_plot:
-            drawn = re.sub(r""""(?:[^"\\]|\\.)*"|'[^']*'""", blank, code)
-            found += [(number, typed) for _, _, typed, is_long in numerals(drawn) if is_long]
+            found += [(number, typed) for _, _, typed, is_long in numerals(string.sub(blank, code)) if is_long]
     return found

@@ -17,6 +17,7 @@ from literate_tools.common import ENGINE, Failure, date_back, file_time, tool, w
 from literate_tools.settings import Settings, read_settings
 
 MOST_RUNS = 8  # contents, references and an index settle in four
+UNBROKEN = {"max_print_line": "10000", "error_line": "254", "half_error_line": "238"}  # the lines of the log
 # What LaTeX or this module writes for people, and does not read back.
 NOT_READ = {".log", ".pdf", ".fls", ".uses", ".blg", ".ilg", ".gz"}
 
@@ -26,8 +27,7 @@ def run(arguments: list[str]) -> int:
     settings, stamp, depfile = read_settings(arguments[0]), Path(arguments[1]), Path(arguments[2])
     start = file_time(settings.output)
     typeset(settings)
-    dependencies = [path for path in recorded(settings) if not path.is_relative_to(settings.output)]
-    depfile.write_text(f"{escaped(settings, stamp)}: {' '.join(escaped(settings, path) for path in dependencies)}\n")
+    write_depfile(settings, stamp, depfile)
     stamp.touch()
     date_back([stamp], start)
     return 0
@@ -84,7 +84,7 @@ def pdflatex(settings: Settings) -> list[latex_log.Error]:
                f"-jobname={settings.name}", f"-output-directory={os.path.relpath(settings.latex, settings.document)}",
                settings.main]
     (settings.latex / f"{settings.name}.log").unlink(missing_ok=True)
-    ran = subprocess.run(command, cwd=settings.document, env=environment(settings), stdin=subprocess.DEVNULL,
+    ran = subprocess.run(command, cwd=settings.document, env=environment(settings) | UNBROKEN, stdin=subprocess.DEVNULL,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     errors = latex_log.errors(settings)
     if ran.returncode and not errors:
@@ -113,7 +113,7 @@ def run_tool(settings: Settings, name: str, package: str, *arguments: str) -> No
 
 
 def environment(settings: Settings) -> dict[str, str]:
-    """Returns an environment in which the PDF depends on no clock, locale or folder, and no line of the log is broken."""
+    """Returns an environment in which the PDF depends on no clock, locale or folder."""
     day = "1970-01-01"
     repository = settings.generated / "repository.tex"
     if repository.exists():
@@ -124,7 +124,6 @@ def environment(settings: Settings) -> dict[str, str]:
     return os.environ | {
         "SOURCE_DATE_EPOCH": str(timegm(strptime(f"{day} 12", "%Y-%m-%d %H"))), "FORCE_SOURCE_DATE": "1",
         "TZ": "UTC", "LC_ALL": "C", "TEXINPUTS": f"{inputs}:.:",
-        "max_print_line": "100000", "error_line": "254", "half_error_line": "238",
     }
 
 
@@ -166,7 +165,12 @@ def recorded(settings: Settings) -> list[Path]:
     return [path for path in paths if not path.is_relative_to(settings.latex)]
 
 
-def escaped(settings: Settings, path: Path) -> str:
-    """Returns a path as a depfile holds it: relative to CMake's folder, since Ninja cannot read each sign in one."""
-    relative = os.path.relpath(path, settings.build) if path.is_relative_to(settings.source) else str(path)
-    return relative.replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
+def write_depfile(settings: Settings, stamp: Path, depfile: Path) -> None:
+    """Writes the files that LaTeX read, for Ninja: with relative paths where it takes them, since Ninja cannot read each sign
+    of a path. It knows the stamp by a relative path only within its folder."""
+    def escaped(path: Path, part: Path) -> str:
+        is_relative = settings.depfile_base and path.is_relative_to(part)
+        name = os.path.relpath(path, settings.depfile_base) if is_relative else str(path)
+        return name.replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
+    read = [escaped(path, settings.source) for path in recorded(settings) if not path.is_relative_to(settings.output)]
+    depfile.write_text(f"{escaped(stamp, settings.build)}: {' '.join(read)}\n")

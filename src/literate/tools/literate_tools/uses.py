@@ -60,7 +60,8 @@ def document_texts(settings: Settings) -> dict[Path, str]:
         path = files.pop(0)
         if path not in texts and path.is_file():
             texts[path] = without_comments(path.read_text(errors="replace"))
-            files += [(settings.document / name).with_suffix(".tex") for name in re.findall(r"\\(?:input|include)\s*\{([^{}]+)\}", texts[path])]
+            names = re.findall(r"\\(?:input|include)\s*\{([^{}]+)\}", texts[path])
+            files += [(settings.document / name).with_suffix(".tex") for name in names]
     return dict(sorted(texts.items()))
 
 

@@ -14,7 +14,8 @@ def run(arguments: list[str]) -> int:
     for line in failed:
         warn(line)
     if failed:
-        warn(f"{settings.pdf}: not to be trusted, {len(failed)} {'check or claim' if len(failed) == 1 else 'checks or claims'} failed")
+        what = "check or claim" if len(failed) == 1 else "checks or claims"
+        warn(f"{settings.pdf}: not to be trusted, {len(failed)} {what} failed")
         return 1
     Path(arguments[1]).touch()
     return 0

@@ -17,7 +17,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from literate_tools.changes import compare
-from literate_tools.common import Failure, git, parser, quiet_run, sha256
+from literate_tools.common import Failure, configure, git, parser, quiet_run, sha256
 from literate_tools.settings import Settings, read_results, read_settings
 
 ELSEWHERE = {"TZ": "Asia/Kolkata", "LANG": "de_DE.UTF-8"}
@@ -81,13 +81,12 @@ def built_elsewhere(settings: Settings) -> list[str]:
     if here["commit"] != git(settings.source, "describe", "--always", "--abbrev=12", "--exclude=*"):
         raise Failure(f"the paper was built from {here['commit']}: build it again first")
     with TemporaryDirectory(prefix="literate ") as folder:
-        clone, build = Path(folder, "a clone"), Path(folder, "build")
+        clone = Path(folder, "a clone")
         options = {"env": os.environ | ELSEWHERE | installed_locale(), "umask": 0o077}
         quiet_run(["git", "clone", "--quiet", "--no-hardlinks", root, str(clone)], "git clone", **options)
         source = clone / settings.source.relative_to(root)
-        output = source / "build" / settings.name  # beside the prose: TeX cannot search each path
-        quiet_run(["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", *settings.configure,
-                   f"-D{settings.name}_OUTPUT={output}"], "configuring the clone", **options)
+        build, output = source / "build" / "verify", source / "build" / settings.name
+        configure(settings, source, build, output, **options)
         ran = subprocess.run(["ninja", "-C", str(build), settings.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              text=True, errors="replace", **options)
         if not (output / "typeset.stamp").exists():  # a claim that fails is no difference

@@ -1,19 +1,13 @@
-#include <iomanip>
-#include <iostream>
-#include <string>
+#include <stdexcept>
 
-#include "tasks.hpp"
+#include "assignment.hpp"
+#include "judge/answer_questions.hpp"
 
-int main(int argc, char** argv) {
-  std::vector<double> inputs;
-  for (std::string word; std::cin >> word;) {
-    if (word == ";") {
-      run_task(argc > 1 ? argv[1] : "", inputs);
-      inputs.clear();
-    } else {
-      inputs.push_back(std::stod(word));
-    }
-  }
-  std::cout << std::setprecision(17);
-  for (const double number : run_task(argc > 1 ? argv[1] : "", inputs)) std::cout << number << '\n';
+int main() {
+  judge::answer_questions([](const std::string& task, const std::vector<double>& in) {
+    std::vector<double> out;
+    if (task == "sum") return std::vector<double>{sum(in.at(0), in.at(1))};
+    for (const double x : in) out.push_back(task == "square" ? square(x) : cube(x));
+    return out;
+  });
 }

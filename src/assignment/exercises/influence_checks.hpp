@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exercise 4: its task and its public checks. They hold no answers: each tests a property that the
+// right numbers have. This header is part of the handout.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "assignment/exercises/displacement_checks.hpp"
+#include "assignment/exercises/influence.hpp"
+#include "assignment/given/bodies.hpp"
+#include "assignment/given/task.hpp"
+
+namespace assignment::influence {
+
+inline Task task() {
+  return {"influence", "E* c datum k₁ k₂ …", "A_k for each whole number k", 4,
+          [](const Numbers& in) {
+            return for_each_from(3, in, [&](double k, Numbers& out) {
+              const int distance = static_cast<int>(std::lround(k));
+              out.push_back(exercise::influence_coefficient(in[0], in[1], in[2], distance));
+            });
+          }};
+}
+
+/// The answer: u_z1 + u_z2 at each of the whole numbers k of spacings from a triangle of
+/// pressure 1.
+inline Numbers ask(const Program& program, double contact_modulus, double spacing, double datum,
+                   const Numbers& k) {
+  const Numbers inputs = joined({contact_modulus, spacing, datum}, k);
+  return judge::answer_of(program, "influence", inputs, k.size());
+}
+
+inline Outcome influence_has_the_shape(const Program& program, const OwnNumbers& own) {
+  const Cylinders c = cylinders_of(own);
+  const double datum = 40 * c.spacing;
+  const Numbers u = ask(program, c.contact_modulus(), c.spacing, datum,
+                        {0, 1, 2, 3, 7, -1, -7, 40, 100, 200, 400});
+  const double tolerance = roundings * greatest(u);
+  const double fall = u[8] - u[9];
+
+  Tally tally("the coefficients are those of a triangle");
+  tally.part(near(u[1], u[5], tolerance) && near(u[4], u[6], tolerance), "k and −k give the same");
+  tally.part(u[0] > u[1] && u[1] > u[2] && u[2] > u[3] && u[3] > u[4], "less with each k ≥ 0");
+  tally.part(near(u[7], 0, tolerance), "zero where k spacings are the datum");
+  tally.part(fall > 0 && near(u[9] - u[10], fall, 1e-3 * fall),
+             "as much less in each doubling of k, far away");
+  return tally.outcome();
+}
+
+inline Outcome influence_refines(const Program& program, const OwnNumbers& own) {
+  const Cylinders c = cylinders_of(own);
+  const double modulus = c.contact_modulus();
+  const Numbers k = {0, 1, 2, 3, 4, 5};
+  const Numbers large = ask(program, modulus, 2 * c.spacing, c.datum, k);
+  Numbers fine_k;
+  for (int i = -1; i <= 11; ++i) fine_k.push_back(i);
+  const Numbers fine = ask(program, modulus, c.spacing, c.datum, fine_k);
+  const auto composed = [&](std::size_t i) {
+    return fine[2 * i] / 2 + fine[2 * i + 1] + fine[2 * i + 2] / 2;
+  };
+
+  // Differences are compared, since the small triangles lie at different distances from the datum.
+  Tally tally("a triangle over four spacings is half, one and half of three over two");
+  for (std::size_t i = 1; i < k.size(); ++i) {
+    const double scale = large[0] - large[i];
+    tally.part(near(large[0] - large[i], composed(0) - composed(i), 100 * roundings * scale),
+               at("k", k[i]));
+  }
+  return tally.outcome();
+}
+
+inline Outcome influence_is_displacement(const Program& program, const OwnNumbers& own) {
+  const Cylinders c = cylinders_of(own);
+  const double modulus = c.contact_modulus();
+  const Numbers k = {0, 1, 2, 7, 30};
+  const Numbers coefficients = ask(program, modulus, c.spacing, c.datum, k);
+  // One body with E/(1−ν²) = E* takes the place of two.
+  const Surface surface{modulus * (1 - c.poisson1 * c.poisson1), c.poisson1, 1, c.spacing, c.datum};
+  const Numbers u = displacement::ask(program, surface, times(c.spacing, k));
+
+  Tally tally("the coefficient is your displacement of exercise 3");
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    tally.part(near(coefficients[i], u[i], 1e-7 * greatest(u)), at("k", k[i]));
+  }
+  return tally.outcome();
+}
+
+inline Checks public_checks() {
+  return {{"influence-shape", influence_has_the_shape},
+          {"influence-refinement", influence_refines},
+          {"influence-displacement", influence_is_displacement}};
+}
+
+}  // namespace assignment::influence

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compiles a student's files, each by itself, and links a program for each exercise.
+
+A file that does not compile or link is replaced by its stub. The program of an exercise holds the student's files for it and
+for earlier exercises that it builds on or calls, and stubs for all others. So a mistake costs its own exercise.
+
+What was made is kept in a store, a folder for each result, named by a hash of what it was made from.
+"""
+import hashlib
+import os
+import shutil
+import subprocess
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from errors import ToolFailure
+
+FLAGS = ["-std=c++20", "-O2", "-pipe", "-I/usr/include/eigen3", "-fmax-errors=10", "-ftemplate-backtrace-limit=4"]
+LIBRARIES = ["-lgsl", "-lgslcblas", "-lm"]
+LINK_SECONDS = 5
+MAX_MESSAGE = 3000  # characters that a student is shown
+
+
+def hash_of(*parts):
+    digest = hashlib.sha256()
+    for part in parts:
+        data = part if isinstance(part, bytes) else str(part).encode()
+        digest.update(len(data).to_bytes(8, "big") + data)
+    return digest.hexdigest()[:24]
+
+
+def write(files, folder):
+    """Writes {name: text or bytes} below a folder."""
+    for name, content in files.items():
+        path = Path(folder, name)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+class Kit:
+    """What students do not write, compiled once: the code of the handout, a stub for each exercise, and all else."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        key = self.folder / "key"
+        self.key = key.read_text() if key.exists() else ""
+        self.given = sorted(path.name for path in self.folder.glob("given-*.o"))
+
+    @classmethod
+    def made(cls, folder, assignment, handout, jobs, progress=lambda what, done, total: None):
+        """The kit in this folder, made anew unless it is that of the handout, {name: text}."""
+        code = {name: text for name, text in sorted(handout.items()) if name.endswith((".cpp", ".hpp"))}
+        compiler = subprocess.run(["g++", "--version"], capture_output=True, check=False).stdout
+        key = hash_of(compiler, FLAGS, code)
+        if cls(folder).key == key:
+            return cls(folder)
+        new = Path(f"{folder}.new")
+        shutil.rmtree(new, ignore_errors=True)
+        write(code, new)
+        objects = {exercise.file: f"stub-{exercise.id}.o" for exercise in assignment.exercise}
+        given = [name for name in code if name.startswith("provided/") and name.endswith(".cpp") and name != "provided/checks.cpp"]
+        objects |= {name: f"given-{number}.o" for number, name in enumerate(given)}
+
+        def compile_one(name):
+            words = ["g++", *FLAGS, "-Isrc", "-Iprovided", "-c", name, "-o", objects[name]]
+            done = subprocess.run(words, cwd=new, capture_output=True, text=True, check=False)
+            if done.returncode != 0:
+                raise ToolFailure(f"{name} of the handout does not compile: {done.stderr.strip()}")
+
+        with ThreadPoolExecutor(jobs) as pool:
+            for number, _ in enumerate(pool.map(compile_one, objects), 1):
+                progress("compiling the kit", number, len(objects))
+        (new / "key").write_text(key)
+        shutil.rmtree(folder, ignore_errors=True)
+        new.rename(folder)
+        return cls(folder)
+
+
+@dataclass
+class Built:
+    programs: dict = field(default_factory=dict)  # {exercise's id: the folder that holds `program`}
+    errors: dict = field(default_factory=dict)  # {exercise's id: why its file was left out}
+    seconds: float = 0  # that it took
+
+
+class Builder:
+    def __init__(self, assignment, kit, sandbox, store):
+        self.assignment, self.kit, self.sandbox, self.store = assignment, kit, sandbox, Path(store)
+        self.used = set()  # what of the store was asked for
+
+    def build(self, files):
+        """Builds the programs of all exercises from {name: bytes}."""
+        built, objects, undefined, defined = Built(), {}, {}, {}
+        for exercise in self.assignment.exercise:
+            if exercise.file not in files:
+                built.errors[exercise.id] = f"{exercise.file} was not handed in"
+                continue
+            folder = self.compile(exercise, files[exercise.file], built)
+            if exercise.id not in built.errors:
+                objects[exercise.id] = folder / "object.o"
+                symbols = [line.split()[:2] for line in (folder / "symbols").read_text().splitlines()]
+                undefined[exercise.id] = {name for name, kind in symbols if kind == "U"}
+                defined[exercise.id] = {name for name, kind in symbols if kind != "U"}
+        linked = []
+        for exercise in self.assignment.exercise:
+            if exercise.id not in objects:
+                continue
+            needed = self.assignment.exercises_behind(exercise)
+            own = [exercise.id]
+            for earlier in reversed(linked):
+                if earlier in needed or any(undefined[id] & defined[earlier] for id in own):
+                    own.append(earlier)
+            folder = self.link({id: objects[id] for id in own}, exercise, built)
+            if exercise.id not in built.errors:
+                built.programs[exercise.id] = folder
+                linked.append(exercise.id)
+        return built
+
+    def compile(self, exercise, text, built):
+        """Compiles a file. The folder has object.o, and the names that it defines or needs."""
+        left = self.assignment.limits.submission_seconds / 2 - built.seconds
+        most = self.assignment.limits.compile_seconds
+        seconds = int(max(0.4 * most, min(most, left)))
+        includes = [f"-I{self.sandbox.kit}/{name}" for name in ("src", "provided")]
+        words = ["g++", *FLAGS, *includes, "-c", exercise.file, "-o", "object.o"]
+        script = '"$@" && nm --extern-only --format=posix object.o > symbols'
+        return self.made({exercise.file: text}, ["sh", "-c", script, "sh", *words], seconds, exercise, built)
+
+    def link(self, own, exercise, built):
+        """Links the program of an exercise from these objects, {exercise's id: file}, and stubs for all others."""
+        inputs, objects = {}, []
+        for other in self.assignment.exercise:
+            if other.id in own:
+                inputs[f"{other.id}.o"] = own[other.id].read_bytes()
+            objects.append(f"{other.id}.o" if other.id in own else f"{self.sandbox.kit}/stub-{other.id}.o")
+        given = [f"{self.sandbox.kit}/{name}" for name in self.kit.given]
+        return self.made(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
+
+    def made(self, inputs, words, seconds, exercise, built):
+        """The folder in which a job was done on the inputs, now or before. If it failed, the exercise has an error."""
+        key = hash_of(self.kit.key, [word.replace(self.sandbox.kit, "KIT") for word in words], inputs)
+        folder = self.store / key
+        self.used.add(key)
+        if not folder.exists():
+            # The job may write to its folder, and not to the one above, which holds what was made from others.
+            new = Path(tempfile.mkdtemp(prefix=".", dir=self.store))
+            write(inputs, new)
+            os.chmod(new, 0o777)
+            ended = self.sandbox.run(words, new, seconds, self.sandbox.clock)
+            os.chmod(new, 0o755)
+            built.seconds += ended.seconds
+            if ended.is_hung:
+                raise ToolFailure(f"the compiler did not end within {self.sandbox.clock} s; is the machine too busy?")
+            if ended.status != 0:
+                write({"error": self.message(ended.text, seconds)}, new)
+            try:
+                new.rename(folder)
+            except OSError:  # the same was made elsewhere meanwhile
+                shutil.rmtree(new)
+        if (folder / "error").exists():
+            built.errors[exercise.id] = (folder / "error").read_text(encoding="utf-8")
+        return folder
+
+    def message(self, text, seconds):
+        """What the student is told of a compiler or linker that failed with this text."""
+        lines = text.replace(f"{self.sandbox.kit}/", "").splitlines()
+        text = plain("\n".join(line for line in lines if not line.startswith("                 from ")))[:MAX_MESSAGE].strip()
+        if not text or "CPU time limit exceeded" in text or "Killed" in text:
+            return f"it takes more than {seconds} s, or too much memory, to compile"
+        if "No such file or directory" in text and '#include "' in text:
+            text += "\nOnly the exercises' own files are taken; what is in a different file of yours must be in them."
+        return text
+
+
+def plain(text):
+    """A text of foreign origin without characters that control a terminal or turn its direction."""
+    return "".join(c if c in "\n\t" or c.isprintable() else "?" for c in text)

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fills the marks into the file that Moodle (its grading worksheet, in any language) or Canvas (its gradebook) exported.
+
+Moodle's headings are translated, so its columns are known by what they hold: the first one ends in each student's number,
+and the mark is before the column in which each line has the same maximum. Everything else in the file stays as it is.
+"""
+import csv
+import io
+import re
+from pathlib import Path
+
+from errors import BadInput
+
+BYTE_ORDER_MARK = "\ufeff"
+CHOOSE = "--column \"name\" says which to fill"
+
+
+class ClassFile:
+    def __init__(self, path, assignment, column=None):
+        self.path, self.assignment = Path(path), assignment
+        try:
+            self.text = self.path.read_bytes().decode()
+            self.rows = list(csv.reader(io.StringIO(self.text.removeprefix(BYTE_ORDER_MARK), newline="")))
+        except (OSError, UnicodeError, csv.Error) as error:
+            raise BadInput(f"{path}: {getattr(error, 'strerror', None) or error}") from None
+        head = self.rows[0] if self.rows else []
+        rows = [row for row in self.rows[1:] if row]
+        self.decimal = "."
+        if head[:2] == ["Student", "ID"]:
+            self.read_canvas(head, rows, column)
+        elif rows and all(re.fullmatch(r"\D+\d+", row[0]) for row in rows):
+            self.read_moodle(head, rows, column)
+        else:
+            raise self.error("this is neither a grading worksheet of Moodle nor a gradebook of Canvas")
+
+    def error(self, text):
+        return BadInput(f"{self.path}: {text}")
+
+    def read_canvas(self, head, rows, column):
+        begin = f"{self.assignment.title} ("
+        fitting = [i for i, name in enumerate(head) if name == column or (not column and name.startswith(begin))]
+        if len(fitting) != 1:
+            raise self.error(f"{len(fitting)} columns are named '{column or begin + '…)'}'; {CHOOSE}")
+        self.column = fitting[0]
+        self.students = {row[1]: row for row in rows if row[1].isdigit()}
+        self.require_maximum(next((row[self.column] for row in rows if "Points Possible" in row[0]), ""))
+
+    def read_moodle(self, head, rows, column):
+        maxima = [i for i in range(2, len(head))
+                  if re.fullmatch(r"\d+[.,]\d\d", rows[0][i]) and len({row[i] for row in rows}) == 1]
+        if column:
+            maxima = [head.index(column) + 1] if column in head[:-1] else []
+        if not maxima:
+            raise self.error(f"there is no column of marks before one with the maximum mark; {CHOOSE}")
+        self.column = maxima[0] - 1
+        maximum = rows[0][maxima[0]]
+        self.decimal = "," if "," in maximum else "."
+        self.students = {re.search(r"\d+$", row[0])[0]: row for row in rows}
+        self.require_maximum(maximum)
+
+    def require_maximum(self, text):
+        number = re.fullmatch(r"\s*(\d+)(?:[.,](\d+))?\s*", text)
+        if number and float(f"{number[1]}.{number[2] or 0}") != self.assignment.points:
+            raise self.error(f"its maximum mark is {text.strip()}, and the assignment has {self.assignment.points:g} points; "
+                             "change one of them")
+
+    def row_of(self, id):
+        """The line of a student: by the number that the system gives, or by a cell that holds the id in no other line."""
+        if id in self.students:
+            return self.students[id]
+        having = [row for row in self.students.values() if id.lower() in (cell.strip().lower() for cell in row)]
+        if len(having) != 1:
+            raise self.error(f"the id '{id}' is in {len(having)} lines, not in one")
+        return having[0]
+
+    def filled(self, marks):
+        """The file's text with these marks, {id: points}. Lines of others keep what they have."""
+        for id, points in marks.items():
+            self.row_of(id)[self.column] = f"{points:.2f}".replace(".", self.decimal)
+        text = io.StringIO()
+        csv.writer(text, lineterminator="\r\n" if "\r\n" in self.text else "\n").writerows(self.rows)
+        return (BYTE_ORDER_MARK if self.text.startswith(BYTE_ORDER_MARK) else "") + text.getvalue()

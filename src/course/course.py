@@ -1,0 +1,270 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Proves the handout of the course assignment, grades submissions, and packs a grader for Gradescope."""
+import argparse
+import csv
+import json
+import os
+import secrets
+import shutil
+import signal
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+
+import assignment as assignments
+import gradescope
+import sheet
+import template
+from build import Kit, hash_of, write
+from class_file import ClassFile
+from errors import BadInput, ToolFailure
+from grading import Grader, Judge, feedback_text, results_json, teacher_text
+from proof import Disproved, Proof, secrets_of, write_zip
+from sandbox import SANDBOXES
+from submission import Unusable, submissions_in
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = """examples:
+  course.py prove                                      build/handout, build/handout.zip
+  course.py grade submissions.zip --class marks.csv    build/grades.csv, build/marks.csv, build/grades/ID/feedback.txt
+  course.py gradescope                                 build/gradescope.zip
+
+exit codes: 0 done, 1 a claim does not hold or something was not graded, 2 bad input, 3 a tool failed"""
+
+
+class Progress:
+    """Counts on standard error, in whatever takes longer than two seconds."""
+
+    def __init__(self):
+        self.begin = self.latest = time.monotonic()
+
+    def __call__(self, what, done, total):
+        now = time.monotonic()
+        if now - self.begin > 2 and (now - self.latest > 1 or done == total):
+            self.latest = now
+            print(f"{what}: {done} of {total}", file=sys.stderr)
+
+
+class Course:
+    """What all commands need: the assignment, the students' project, and where things are built."""
+
+    def __init__(self, options):
+        self.folder = options.assignment
+        self.build = options.build.resolve()
+        self.work = self.build / "course"
+        self.assignment = assignments.read(self.folder / "assignment.toml")
+        self.project = template.project(self.assignment, self.folder, ROOT / "src")
+        self.handout = {name: file.handout for name, file in self.project.items()}
+        self.salt_file = options.salt_file.resolve()
+        self.judge_file = options.judge.resolve()
+        self.progress = Progress()
+
+    def require_salt(self):
+        if not self.salt_file.exists():
+            raise BadInput(f"{self.salt_file}: there is no salt for the hidden checks; prove writes one")
+
+    def secrets(self):
+        checks = [*ROOT.glob("src/assignment/hidden/*.?pp"), *ROOT.glob("src/assignment/exercises/*.?pp")]
+        hidden = [path for path in checks if "hidden" in path.as_posix()]
+        return secrets_of(self.assignment, self.project, hidden, [path for path in checks if path not in hidden])
+
+
+def prove(options):
+    course = Course(options)
+    output = options.output or course.build / "handout"
+    if output.exists() and not (output / "src").is_dir() and any(output.iterdir()):
+        raise BadInput(f"{output}: this folder does not hold a handout; nothing was written")
+    if not course.salt_file.exists():
+        course.salt_file.write_text(secrets.token_hex(16) + "\n", encoding="utf-8")
+        course.salt_file.chmod(0o600)
+        print(f"{course.salt_file}: a new salt for the hidden checks; keep it, and keep it secret")
+    judge = Judge(course.judge_file, course.salt_file)
+    course.work.mkdir(parents=True, exist_ok=True)
+    proof = Proof(course.assignment, course.folder, course.project, judge, SANDBOXES[options.sandbox], course.work, options.jobs,
+                  course.progress)
+    pdf = proof.sheet(lambda: sheet.typeset(course.assignment, judge, course.folder))
+    proof.prove(course.secrets(), sheet.text_of(pdf), options.update)
+
+    files = {**course.handout, "sheet.pdf": pdf}
+    replace_folder(output, files)
+    packed = output.with_suffix(".zip")
+    write_zip({f"{output.name}/{name}": content for name, content in files.items()}, packed)
+    (course.work / "proved.json").write_text(json.dumps({"salt": hash_of(course.salt_file.read_bytes())}), encoding="utf-8")
+    print(f"{os.path.relpath(output)}\n{os.path.relpath(packed)}")
+    return 0
+
+
+def grade(options):
+    course = Course(options)
+    course.require_salt()
+    output = options.output or course.build / "grades"
+    for entry in sorted(output.iterdir()) if output.exists() else []:
+        if not (entry / "feedback.txt").exists():
+            raise BadInput(f"{output}: this folder holds something other than grades, '{entry.name}'; nothing was written")
+    class_file = ClassFile(options.class_file, course.assignment, options.column) if options.class_file else None
+    filled = course.build / options.class_file.name if class_file else None
+    if class_file and filled == options.class_file.resolve():
+        raise BadInput(f"{filled}: the filled file would replace this one; move it")
+
+    taken, problems = take(options.submissions, course.assignment)
+    for id in taken if class_file else []:
+        class_file.row_of(id)
+    for id, problem in problems.items():
+        print(f"{id}: not graded: {problem}", file=sys.stderr)
+    if not taken:
+        raise BadInput(f"{options.submissions}: nothing can be graded; nothing was written")
+    proved = course.work / "proved.json"
+    if not proved.exists() or json.loads(proved.read_text())["salt"] != hash_of(course.salt_file.read_bytes()):
+        print("note: the handout was not proved here with this salt; a class must be graded with one salt", file=sys.stderr)
+
+    for id, graded in grade_all(course, options, taken):
+        if isinstance(graded, Exception):
+            problems[id] = f"the grader failed: {graded}"
+            print(f"{id}: not graded: {problems[id]}", file=sys.stderr)
+        else:
+            replace_folder(output / id, {"results.json": json.dumps(results_json(course.assignment, graded), indent=1),
+                                         "feedback.txt": feedback_text(course.assignment, graded),
+                                         "teacher.txt": teacher_text(graded)})
+    for id, problem in problems.items():
+        replace_folder(output / id, {"feedback.txt": f"This submission was not graded: {problem}\n"})
+
+    marks = write_table(course.assignment, output)
+    written = [output, output.with_suffix(".csv")]
+    if class_file:
+        written.append(filled)
+        new_marks = {id: marks[id] for id in taken if id not in problems}
+        filled.write_text(class_file.filled(new_marks), encoding="utf-8", newline="")
+    n_handed_in = len(taken.keys() | problems.keys())
+    print(f"{n_handed_in - len(problems)} of {n_handed_in} submissions were graded", *map(os.path.relpath, written), sep="\n")
+    return 1 if problems else 0
+
+
+def take(source, assignment):
+    """The files of each submission, {id: {name: bytes}}, and why there are none, {id: reason}."""
+    taken, problems = {}, {}
+    for submission in submissions_in(source):
+        try:
+            taken[submission.id] = submission.take(assignment)
+        except Unusable as error:
+            problems[submission.id] = str(error)
+    return taken, problems
+
+
+def grade_all(course, options, taken):
+    """Grades submissions, several at a time; yields each id with what it got, or with the error of the grader."""
+    judge = Judge(course.judge_file, course.salt_file)
+    course.work.mkdir(parents=True, exist_ok=True)
+    kit = Kit.made(course.work / "kit", course.assignment, course.handout, options.jobs, course.progress)
+    sandbox_class = SANDBOXES[options.sandbox]
+    sandbox_class(kit.folder, course.assignment.limits).require()
+
+    def grade_one(id):
+        with tempfile.TemporaryDirectory(dir=options.scratch, ignore_cleanup_errors=True) as store:
+            os.chmod(store, 0o755)
+            sandbox = sandbox_class(kit.folder, course.assignment.limits)
+            return Grader(course.assignment, kit, sandbox, judge, store).grade(taken[id], id)
+
+    with ThreadPoolExecutor(options.jobs) as pool:
+        waiting = {pool.submit(grade_one, id): id for id in taken}
+        for number, future in enumerate(as_completed(waiting), 1):
+            course.progress("graded", number, len(taken))
+            yield waiting[future], future.exception() or future.result()
+
+
+def replace_folder(folder, files):
+    """Writes the files to a folder, in place of what it held."""
+    new = folder.with_name(f".{folder.name}.new")
+    shutil.rmtree(new, ignore_errors=True)
+    write(files, new)
+    shutil.rmtree(folder, ignore_errors=True)
+    new.rename(folder)
+
+
+def write_table(assignment, output):
+    """Writes the points of all who have a folder to a table beside the folders, and returns them, {id: points or None}."""
+    marks = {}
+    new = output.with_suffix(".csv.new")
+    with open(new, "w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["id", "points", *(check.id for check in assignment.checks)])
+        for folder in sorted(path for path in output.iterdir() if not path.name.startswith(".")):
+            results = folder / "results.json"
+            found = json.loads(results.read_text(encoding="utf-8")) if results.exists() else {"score": None, "tests": []}
+            scores = {test["name"].split(":")[0]: f"{test['score']:g}" for test in found["tests"]}
+            marks[folder.name] = found["score"]
+            points = "" if found["score"] is None else f"{found['score']:g}"
+            table.writerow([folder.name, points, *(scores.get(check.id, "") for check in assignment.checks)])
+    new.replace(output.with_suffix(".csv"))
+    return marks
+
+
+def pack_for_gradescope(options):
+    course = Course(options)
+    course.require_salt()
+    output = options.output or course.build / "gradescope.zip"
+    judge = Judge(course.judge_file.with_name(course.judge_file.name + "-static"), course.salt_file)
+    output.parent.mkdir(parents=True, exist_ok=True)
+    write_zip(gradescope.files(course.assignment, course.handout, judge), output)
+    print(f"{os.path.relpath(output)}\n"
+          "Upload it as the autograder, with the default base image. It holds the salt: give it to nobody else.")
+    return 0
+
+
+def parser():
+    shared = argparse.ArgumentParser(add_help=False)
+    shared.add_argument("--assignment", type=Path, default=ROOT / "report/assignment", metavar="FOLDER",
+                        help="the assignment (report/assignment)")
+    shared.add_argument("--build", type=Path, default=ROOT / "build", metavar="FOLDER", help="where to build (build)")
+    shared.add_argument("--judge", type=Path, default=ROOT / "build/release/halfspace-judge", metavar="PROGRAM",
+                        help="the compiled judge")
+    shared.add_argument("--salt-file", type=Path, default=ROOT / "salt.txt", metavar="FILE",
+                        help="from which hidden checks draw their numbers (salt.txt)")
+    shared.add_argument("--output", type=Path, metavar="PATH", help="where to write the result")
+    jobs = argparse.ArgumentParser(add_help=False)
+    jobs.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="how many at a time (one for each processor)")
+    jobs.add_argument("--sandbox", choices=SANDBOXES, default="bubblewrap",
+                      help="'user' is for root in a container that holds nothing else")
+
+    commands = argparse.ArgumentParser(description=__doc__, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    chosen = commands.add_subparsers(required=True, metavar="COMMAND")
+    command = chosen.add_parser("prove", parents=[shared, jobs], help="write the handout and prove that it is right",
+                                epilog="example: course.py prove --update, then git diff")
+    command.add_argument("--update", action="store_true", help="write the points that the wrong solutions score into their list")
+    command.set_defaults(run=prove)
+    command = chosen.add_parser("grade", parents=[shared, jobs], help="grade submissions",
+                                epilog="example: course.py grade submissions.zip --class worksheet.csv --jobs 4")
+    command.add_argument("submissions", type=Path, help="a folder of folders or zips, or the zip that Moodle or Canvas gives")
+    command.add_argument("--class", dest="class_file", type=Path, metavar="FILE",
+                         help="the worksheet of Moodle or gradebook of Canvas to fill")
+    command.add_argument("--column", metavar="NAME", help="which of its columns to fill, if that is not clear")
+    command.set_defaults(run=grade)
+    command = chosen.add_parser("gradescope", parents=[shared], help="pack a grader for Gradescope",
+                                epilog="example: course.py gradescope --output autograder.zip")
+    command.set_defaults(run=pack_for_gradescope)
+    return commands
+
+
+def main():
+    options = parser().parse_args()
+    os.umask(0o022)  # a job runs as a different user
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        with tempfile.TemporaryDirectory(prefix="course-", ignore_cleanup_errors=True) as options.scratch:
+            os.chmod(options.scratch, 0o755)
+            try:
+                return options.run(options)
+            except KeyboardInterrupt:
+                # Jobs end with this process; it must not wait for the threads that wait for them.
+                shutil.rmtree(options.scratch, ignore_errors=True)
+                print("interrupted; what was finished stays", file=sys.stderr)
+                os._exit(130)
+    except (BadInput, ToolFailure, Disproved) as error:
+        print(error, file=sys.stderr)
+        return {BadInput: 2, ToolFailure: 3, Disproved: 1}[type(error)]
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The grader on Gradescope: what its zip holds, and what runs there (Python 3.10).
+
+Gradescope unpacks the zip in /autograder/source, runs setup.sh once, as root, and run_autograder for each submission. A
+submission runs as a user who can read neither the judge nor the salt, nor write results.
+"""
+import dataclasses
+import json
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+from assignment import from_table
+from build import Kit
+from errors import BadInput, ToolFailure
+from grading import Grader, Judge, results_json, teacher_text
+from sandbox import User
+from submission import Submission, Unusable, folder_members
+
+MODULES = ["assignment", "build", "errors", "grading", "gradescope", "sandbox", "submission"]
+HERE = Path(__file__).resolve().parent
+AUTOGRADER = Path(os.environ.get("AUTOGRADER", "/autograder"))
+
+SETUP = """#!/bin/sh
+# Gradescope runs this once, as root.
+set -eu
+cd "$(dirname "$0")"
+apt-get update
+DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends g++ libeigen3-dev libgsl-dev python3
+[ "$(uname -m)" = x86_64 ] || { echo 'setup.sh: the judge is for x86-64' >&2; exit 3; }
+python3 course/gradescope.py setup
+"""
+RUN = """#!/bin/sh
+# Gradescope runs this for each submission, as root.
+exec python3 /autograder/source/course/gradescope.py grade
+"""
+
+
+def files(assignment, handout, judge):
+    """{name: text or bytes} of the zip."""
+    return {"setup.sh": SETUP, "run_autograder": RUN,
+            **{f"course/{name}.py": (HERE / f"{name}.py").read_text(encoding="utf-8") for name in MODULES},
+            "assignment.json": json.dumps(dataclasses.asdict(assignment)),
+            "judge": judge.program.read_bytes(), "salt": judge.salt_file.read_bytes(),
+            **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp"))}}
+
+
+def read_assignment(source):
+    return from_table(json.loads((source / "assignment.json").read_text(encoding="utf-8")), "assignment.json")
+
+
+def setup(source):
+    """Compiles the kit, which submissions may read; everything else here they may not."""
+    handout = source / "handout"
+    texts = {path.relative_to(handout).as_posix(): path.read_text(encoding="utf-8") for path in handout.rglob("*.?pp")}
+    Kit.made(AUTOGRADER / "kit", read_assignment(source), texts, os.cpu_count())
+    os.chmod(source / "judge", 0o700)
+    os.chmod(source, 0o700)
+
+
+def grade(source):
+    """Grades /autograder/submission. If the grader itself fails there are no results, and so no points of zero."""
+    results = AUTOGRADER / "results"
+    os.chmod(source, 0o700)
+    os.chmod(results, 0o700)
+    assignment = read_assignment(source)
+    metadata = json.loads((AUTOGRADER / "submission_metadata.json").read_text(encoding="utf-8"))
+    student = next((user["email"] for user in metadata.get("users", []) if user.get("email")), "")
+    kit = Kit(AUTOGRADER / "kit")
+    sandbox = User(kit.folder, assignment.limits)
+    sandbox.require()
+    try:
+        handed_in = Submission(student, folder_members(AUTOGRADER / "submission")).take(assignment)
+    except Unusable as error:
+        found = {"score": 0, "output": f"Nothing can be graded: {error}"}
+    else:
+        with tempfile.TemporaryDirectory() as store:
+            os.chmod(store, 0o755)
+            graded = Grader(assignment, kit, sandbox, Judge(source / "judge", source / "salt"), store).grade(handed_in, student)
+        print(teacher_text(graded))  # Gradescope shows it to the teacher alone
+        found = results_json(assignment, graded)
+    (results / "results.json").write_text(json.dumps(found), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    os.umask(0o022)  # submissions run as a different user
+    try:
+        {"setup": setup, "grade": grade}[sys.argv[1]](HERE.parent)
+    except (BadInput, ToolFailure, OSError) as error:
+        print(f"the grader failed: {error}", file=sys.stderr)
+        sys.exit(3)

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The assignment sheet: plain LaTeX, with tables and numbers that this module writes from assignment.toml and the judge."""
+import os
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from errors import ToolFailure
+
+ENVIRONMENT = {**os.environ, "SOURCE_DATE_EPOCH": "946684800", "FORCE_SOURCE_DATE": "1", "TZ": "UTC", "LC_ALL": "C"}
+UNITS = {"Pa": [(1e9, "GPa"), (1e6, "MPa")], "m": [(1e-3, "mm"), (1e-6, "\\textmu m")], "N/m": [(1e3, "kN/m")]}
+
+
+def escaped(text):
+    return "".join("\\" + c if c in "&%$#_{}" else c for c in str(text))
+
+
+def quantity(number, unit):
+    """A number in a unit by which it is between 1 and 1000 if there is one: 207 GPa."""
+    for factor, name in UNITS.get(unit, []):
+        if 1 <= float(number) / factor < 1000:
+            return f"{float(number) / factor:.6g}\\,{name}"
+    return f"{float(number):.6g}" + (f"\\,{unit}" if unit else "")
+
+
+def tabular(columns, head, rows):
+    lines = [" & ".join(row) + r" \\" for row in rows]
+    return "\n".join([rf"\begin{{tabular}}{{{columns}}}\toprule", " & ".join(head) + r" \\\midrule", *lines,
+                      r"\bottomrule\end{tabular}", ""])
+
+
+def generated(assignment, judge):
+    """{name: text} of what sheet.tex reads."""
+    values = {"title": escaped(assignment.title), "due": escaped(assignment.due), "points": f"{assignment.points:g}"}
+    values |= {f"limit.{name}": str(number) for name, number in vars(assignment.limits).items()}
+    values |= {f"points.{exercise.id}": f"{exercise.points:g}" for exercise in assignment.exercise}
+    values |= {name: quantity(number, "".join(unit)) for name, number, *unit in judge.numbers()}
+    defined = (f"\\expandafter\\def\\csname sheet:{name}\\endcsname{{{text}}}\n" for name, text in values.items())
+    files = {"values.tex": "".join(defined)}
+    files["exercises.tex"] = tabular(
+        "lllrr", ["exercise", "file", "builds on", "points", "of them public"],
+        [[f"{number}. {escaped(exercise.title)}", rf"\texttt{{{escaped(exercise.file)}}}",
+          ", ".join(str(1 + [other.id for other in assignment.exercise].index(id)) for id in exercise.builds_on) or "--",
+          f"{exercise.points:g}", f"{sum(check.points for check in exercise.check if check.is_public):g}"]
+         for number, exercise in enumerate(assignment.exercise, 1)])
+    for exercise in assignment.exercise:
+        files[f"checks-{exercise.id}.tex"] = tabular(
+            "llr", ["what is tested", "check", "points"],
+            [[escaped(check.says), check.visibility, f"{check.points:g}"] for check in exercise.check])
+    return files
+
+
+def typeset(assignment, judge, folder):
+    """The sheet as a PDF, with the figures that gnuplot draws."""
+    with tempfile.TemporaryDirectory(prefix="course-") as work:
+        for path in [folder / "sheet.tex", *(folder / "figures").glob("*.gp")]:
+            shutil.copy(path, work)
+        for name, text in generated(assignment, judge).items():
+            Path(work, name).write_text(text, encoding="utf-8")
+        for script in sorted(Path(work).glob("*.gp")):
+            run(["gnuplot", script.name], work)
+        run(["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "sheet.tex"], work)
+        return Path(work, "sheet.pdf").read_bytes()
+
+
+def text_of(pdf):
+    with tempfile.NamedTemporaryFile(suffix=".pdf") as file:
+        file.write(pdf)
+        file.flush()
+        return run(["pdftotext", file.name, "-"], "/")
+
+
+def run(words, folder):
+    try:
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace", env=ENVIRONMENT, check=False)
+    except OSError as error:
+        raise ToolFailure(f"{words[0]}: {error.strerror}; run \"make setup course\"") from None
+    if done.returncode != 0:
+        said = [line for line in (done.stdout + done.stderr).splitlines() if line.startswith(("!", "l.")) or ".gp" in line]
+        raise ToolFailure(f"{words[0]} fails for the sheet: " + " ".join(said or (done.stdout + done.stderr).splitlines()[-3:]))
+    return done.stdout

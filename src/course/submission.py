@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Finds the submissions that a teacher has, and takes the exercises' files from each.
+
+Submissions are folders or zips in one folder, or the zip that Moodle or Canvas gives. Only files with the expected names
+are read, each up to the limit; nothing is unpacked, and no link is followed.
+"""
+import io
+import os
+import re
+import stat
+import zipfile
+import zlib
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from errors import BadInput
+
+MAX_ZIP_KB = 50 << 10  # of one student's zip
+ID = re.compile(r"[^\W_][\w .@+-]{0,99}")  # names a folder, and is no formula in a table
+# Both systems put a number of the student's into the name: Moodle that of its worksheet, Canvas the "ID" of its gradebook.
+# Canvas adds "-1" and so on to a file that is handed in again.
+MOODLE = re.compile(r"[^_]*_(?P<id>\d+)_assignsubmission_file_?(?P<rest>.*)")
+CANVAS = re.compile(r"[^_]*(?:_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.+?)(?:-\d+)?(?P<ending>\.\w+)")
+
+
+class Unusable(Exception):
+    """Nothing can be graded; the message is for the teacher and the student."""
+
+
+@dataclass
+class Member:
+    """A file that has not been read yet."""
+    path: PurePosixPath
+    open: object  # returns a binary stream; None for a link or a special file
+
+    def read(self, max_kb):
+        if self.open is None:
+            raise Unusable(f"{self.path} is a link or a special file")
+        try:
+            with self.open() as stream:
+                content = stream.read((max_kb << 10) + 1)
+        except (OSError, EOFError, RuntimeError, NotImplementedError, zipfile.BadZipFile, zlib.error) as error:
+            reason = "it needs a password" if "password" in str(error) else getattr(error, "strerror", None) or error
+            raise Unusable(f"{self.path} cannot be read: {reason}") from None
+        if len(content) > max_kb << 10:
+            raise Unusable(f"{self.path} is larger than {max_kb} kB")
+        return content
+
+
+@dataclass
+class Submission:
+    id: str
+    members: list = field(default_factory=list)
+    problem: str = ""
+
+    def take(self, assignment):
+        """The files of the exercises, {name: bytes}. Raises Unusable if there is none, or if one is there twice."""
+        if self.problem:
+            raise Unusable(self.problem)
+        names = {PurePosixPath(exercise.file).name: exercise.file for exercise in assignment.exercise}
+        members = self.members
+        zips = [member for member in members if member.path.suffix.lower() == ".zip"]
+        if len(zips) == 1 and not any(member.path.name in names for member in members):
+            members = zip_members(io.BytesIO(zips[0].read(MAX_ZIP_KB)))
+        wanted = [member for member in members if member.path.name in names]
+        # A file in src counts before one of the same name elsewhere.
+        files = {}
+        for member in [member for member in wanted if member.path.parent.name == "src"] or wanted:
+            name = names[member.path.name]
+            if name in files:
+                raise Unusable(f"{name} was handed in twice")
+            files[name] = member.read(assignment.limits.file_kb)
+        if not files:
+            raise Unusable("none of the files " + ", ".join(names.values()) + " was handed in")
+        return files
+
+
+def folder_members(folder):
+    """The files of a folder; those that are no regular files cannot be opened."""
+    members = []
+    for root, folders, names in os.walk(folder):
+        for name in [*names, *(name for name in folders if Path(root, name).is_symlink())]:
+            file = Path(root, name)
+            is_plain = stat.S_ISREG(file.lstat().st_mode)
+            members.append(Member(PurePosixPath(file.relative_to(folder).as_posix()), open_plain(file) if is_plain else None))
+    return without_junk(members)
+
+
+def open_plain(file):
+    return lambda: open(os.open(file, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK), "rb")
+
+
+def zip_members(source):
+    """The files of a zip. Raises Unusable if it is damaged."""
+    try:
+        packed = zipfile.ZipFile(source)
+    except (OSError, ValueError, NotImplementedError, zipfile.BadZipFile) as error:
+        raise Unusable(f"the zip is damaged: {error}") from None
+    members = []
+    for info in packed.infolist():
+        if not info.is_dir():
+            path = PurePosixPath(info.filename.replace("\\", "/"))
+            is_link = stat.S_ISLNK(info.external_attr >> 16)
+            members.append(Member(path, None if is_link else lambda info=info: packed.open(info)))
+    return without_junk(members)
+
+
+def without_junk(members):
+    """Without hidden files, what Macs add to zips, and what was typed into Moodle."""
+    junk = re.compile(r"\.[^.].*|__MACOSX|.*_assignsubmission_onlinetext.*")
+    return [member for member in members if not any(junk.fullmatch(part) for part in member.path.parts)]
+
+
+def submissions_in(source):
+    """The submissions in a folder or in the zip of a class, in the order of their ids."""
+    if not os.path.lexists(source):
+        raise BadInput(f"{source}: there is no such file or folder")
+    try:
+        members = folder_members(source) if source.is_dir() else zip_members(source)
+    except Unusable as error:
+        raise BadInput(f"{source}: {error}") from None
+    found, entries = {}, {}
+    for member in sorted(members, key=lambda member: member.path):
+        entry, *inner = member.path.parts
+        id, own = id_and_own_name(entry)
+        submission = found.setdefault(id, Submission(id))
+        # Several entries are of one student only where Moodle or Canvas say so.
+        if entries.setdefault(id, entry) != entry and own is None:
+            submission.problem = f"there are two submissions, {entries[id]} and {entry}"
+        elif not ID.fullmatch(id):
+            submission.problem = "its name is no id: ids begin with a letter or digit and hold letters, digits, blanks and _.@+-"
+        elif not inner and member.open is None:
+            submission.problem = "the submission is a link"
+        submission.members.append(Member(PurePosixPath(own or "", *inner) if own or inner else PurePosixPath(entry), member.open))
+    for entry in source.iterdir() if source.is_dir() else []:
+        if entry.is_dir() and not entry.name.startswith("."):
+            id = id_and_own_name(entry.name)[0]
+            found.setdefault(id, Submission(id))  # an empty folder is one too
+    if not found:
+        raise BadInput(f"{source}: there are no submissions in it")
+    if "src" in found:
+        raise BadInput(f"{source}: this is a single submission; name the folder that holds the submissions")
+    return [found[id] for id in sorted(found)]
+
+
+def id_and_own_name(entry):
+    """Whose an entry is, and what of its name the student chose, if Moodle or Canvas named it."""
+    if moodle := MOODLE.fullmatch(entry):
+        return moodle["id"], moodle["rest"]
+    if canvas := CANVAS.fullmatch(entry):
+        return canvas["id"], canvas["rest"] + canvas["ending"]
+    return re.sub(r"\.zip$", "", entry, flags=re.IGNORECASE), None

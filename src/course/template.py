@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The students' project, from files in which the solution is between markers.
+
+A marker is a comment on a line by itself (//, #, % or <!-- -->):
+
+    // BEGIN SOLUTION             the handout has "YOUR SOLUTION HERE" and the stubs instead of what follows
+    // STUB: return 0;
+    // END SOLUTION
+    // EACH EXERCISE: @file@      a line for each exercise, with @id@, @file@, @number@, @title@, @points@
+    // EACH PUBLIC CHECK: @check@ a line for each public check
+"""
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from errors import BadInput
+
+MARKER = re.compile(r"(?P<indent>\s*)(?P<sign>//|#|%|<!--) ?(?P<words>BEGIN SOLUTION|END SOLUTION|STUB:|EACH [A-Z ]+:) ?"
+                    r"(?P<rest>.*?)(?P<end> ?-->)?$")
+LOOKS_LIKE_ONE = re.compile(r"\b(begin|end)[ _-]+solutions?\b", re.IGNORECASE)
+
+
+@dataclass
+class Divided:
+    """A file of the template as students and as the solution have it."""
+    handout: str = ""
+    solution: str = ""
+    secrets: list = field(default_factory=list)  # the lines of the solution, as (number, text)
+
+
+def divide(text, name, lists):
+    """Divides a file by its markers. `lists` has the words of each EACH line: {"EXERCISE": [{"id": …}, …]}."""
+    result = Divided()
+    begun = None
+    for number, line in enumerate(text.splitlines(keepends=True), 1):
+        marker = MARKER.fullmatch(line.rstrip("\r\n"))
+        if not marker:
+            if LOOKS_LIKE_ONE.search(line):
+                raise BadInput(f"{name}:{number}: this is no marker, but looks like one: {line.strip()}")
+            result.solution += line
+            if not begun:
+                result.handout += line
+            elif line.strip():
+                result.secrets.append((number, line.strip()))
+            continue
+        indent, sign, words, rest = marker["indent"], marker["sign"], marker["words"], marker["rest"]
+        if words == "BEGIN SOLUTION":
+            if begun:
+                raise BadInput(f"{name}:{number}: BEGIN SOLUTION within that of line {begun}")
+            begun = number
+            result.handout += f"{indent}{sign} YOUR SOLUTION HERE{' -->' if sign == '<!--' else ''}\n"
+        elif words == "END SOLUTION":
+            if not begun:
+                raise BadInput(f"{name}:{number}: END SOLUTION without BEGIN SOLUTION")
+            begun = None
+        elif words == "STUB:":
+            if not begun:
+                raise BadInput(f"{name}:{number}: STUB outside a solution")
+            result.handout += f"{indent}{rest}\n"
+        else:
+            for entry in lists.get(words[5:-1], []):
+                expanded = f"{indent}{expand(rest, entry, f'{name}:{number}')}\n"
+                result.handout += expanded
+                result.solution += expanded
+    if begun:
+        raise BadInput(f"{name}:{begun}: BEGIN SOLUTION without END SOLUTION")
+    return result
+
+
+def expand(text, entry, where):
+    """The text with each @word@ replaced by its entry."""
+    def replaced(match):
+        if match[1] not in entry:
+            raise BadInput(f"{where}: there is no word @{match[1]}@ here")
+        return str(entry[match[1]])
+    return re.sub(r"@(\w+)@", replaced, text)
+
+
+def project(assignment, folder, sources):
+    """The students' project, {name: Divided}: the files of the template, and copies of what is provided."""
+    exercises = [{"id": exercise.id, "file": exercise.file, "number": number, "title": exercise.title,
+                  "points": f"{exercise.points:g}"} for number, exercise in enumerate(assignment.exercise, 1)]
+    lists = {"EXERCISE": exercises,
+             "PUBLIC CHECK": [{"check": check.id} for check in assignment.checks if check.is_public]}
+    files = {}
+    for path in sorted((folder / "template").rglob("*")):
+        if path.is_file():
+            files[path.relative_to(folder / "template").as_posix()] = divide(read_text(path), path, lists)
+    for pattern in assignment.provided:
+        for path in sorted(sources.glob(pattern)):
+            text = read_text(path)
+            files[f"provided/{path.relative_to(sources).as_posix()}"] = Divided(text, text)
+    for exercise in assignment.exercise:
+        if exercise.file not in files:
+            raise BadInput(f"{folder / 'template' / exercise.file}: there is no such file for exercise '{exercise.id}'")
+    return files
+
+
+def read_text(path):
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeError) as error:
+        raise BadInput(f"{path}: {error}") from None

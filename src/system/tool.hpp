@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace sys {
+
+/// Finds a program in the folders of PATH. Throws ToolError that names it if it is in none of them.
+std::filesystem::path find_tool(const std::string& program);
+
+}  // namespace sys

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assignment/given/numbers.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <set>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(numbers_test)
+
+using assignment::is_valid;
+using assignment::lines_of;
+using assignment::nominal_numbers;
+using assignment::own_numbers;
+using assignment::OwnNumbers;
+
+namespace {
+
+bool is_valid_with(double OwnNumbers::*quantity, double value) {
+  OwnNumbers numbers = nominal_numbers();
+  numbers.*quantity = value;
+  return is_valid(numbers);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_papers_own_case_is_valid_and_belongs_to_no_id) {
+  BOOST_TEST(is_valid(nominal_numbers()));
+  BOOST_TEST(lines_of(own_numbers("")) == lines_of(nominal_numbers()));
+}
+
+BOOST_AUTO_TEST_CASE(numbers_follow_from_the_id_on_every_machine) {
+  BOOST_TEST(lines_of(own_numbers("ada@uni.edu")) ==
+             "young1 1.34e+11 Pa\n"
+             "poisson1 0.4 \n"
+             "young2 9.5e+10 Pa\n"
+             "poisson2 0.36 \n"
+             "radius1 0.0318 m\n"
+             "radius2 0.0696 m\n"
+             "line_load 493000 N/m\n"
+             "spacing 8.8e-06 m\n"
+             "nodes 129 \n"
+             "peak_pressure 5.7e+06 Pa\n"
+             "half_width 0.000234 m\n"
+             "datum 0.2 m\n");
+}
+
+BOOST_AUTO_TEST_CASE(case_and_blanks_of_an_id_do_not_count) {
+  BOOST_TEST(lines_of(own_numbers(" Ada@Uni.edu\n")) == lines_of(own_numbers("ada@uni.edu")));
+}
+
+BOOST_AUTO_TEST_CASE(three_hundred_students_have_different_valid_numbers) {
+  std::set<std::string> seen;
+  for (int i = 0; i < 300; ++i) {
+    const OwnNumbers numbers = own_numbers("student" + std::to_string(i));
+    BOOST_TEST(is_valid(numbers));
+    seen.insert(lines_of(numbers));
+  }
+  BOOST_TEST(seen.size() == 300U);
+}
+
+BOOST_AUTO_TEST_CASE(the_theory_needs_small_contacts_and_strains) {
+  BOOST_TEST(!is_valid_with(&OwnNumbers::radius1, 0.001));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::line_load, 4e7));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::peak_pressure, 6e9));
+}
+
+BOOST_AUTO_TEST_CASE(the_grid_ends_just_outside_the_contact) {
+  BOOST_TEST(!is_valid_with(&OwnNumbers::nodes, 81));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::nodes, 141));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::spacing, 14e-6));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::line_load, 60e3));
+}
+
+BOOST_AUTO_TEST_CASE(materials_are_solids_and_the_datum_is_far_away) {
+  BOOST_TEST(!is_valid_with(&OwnNumbers::young1, 1e8));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::young2, 2e12));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::poisson1, 0.5));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::poisson2, -0.1));
+  BOOST_TEST(!is_valid_with(&OwnNumbers::datum, 0.002));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 0 10 6: a message of the compiler without end
+#include "assignment.hpp"
+#include "square.cpp"
+double square(double x) {
+  return x * x
+}

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 0 10 6: starts processes without end
+#include <unistd.h>
+#include "assignment.hpp"
+double square(double) {
+  while (true) ::fork();
+}

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 6 10 10: an endless loop for 2, which the public check alone asks for
+#include "assignment.hpp"
+double square(double x) {
+  for (volatile bool on = true; x == 2 && on;) {
+  }
+  return x * x;
+}

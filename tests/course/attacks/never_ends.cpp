@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 0 10 6: an endless loop for each number
+#include "assignment.hpp"
+double square(double) {
+  for (volatile int i = 0;; i = i + 1) {
+  }
+}

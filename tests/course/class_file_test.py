@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marks are filled into what Moodle and Canvas exported, and nothing else changes."""
+import tempfile
+import unittest
+from pathlib import Path
+
+import toy_course
+from toy_course import TOY
+
+import assignment
+from class_file import ClassFile
+from errors import BadInput
+
+TOY_ASSIGNMENT = assignment.read(TOY / "assignment.toml")
+ENGLISH = '''\ufeffIdentifier,"Full name","Email address",Status,Grade,"Maximum Grade","Grade can be changed","Last modified (submission)",\
+"Last modified (grade)","Feedback comments"
+"Participant 4711","Ada Love",ada@uni.edu,"Submitted for grading",,30.00,Yes,"Friday, 15 January 2027, 8:12 PM",-,"well, ""fine"""
+"Participant 4712","Bob B",bob@uni.edu,"No submission",12.00,30.00,Yes,-,-,
+'''
+GERMAN = """ID,"Vollständiger Name",E-Mail-Adresse,Status,Bewertung,Bestwertung,"Bewertung kann geändert werden","Zuletzt geändert (Bewertung)"
+"Teilnehmer/in4711","Ada Love",ada@uni.edu,Eingereicht,,"30,00",Ja,-
+"Teilnehmer/in4712","Bob B",bob@uni.edu,Eingereicht,,"30,00",Ja,-
+"""
+FRENCH = """Identifiant,"Nom complet","Numéro d'identification",Statut,"Marqueur",Note,"Note maximale","La note peut être modifiée"
+"Participant 4711","Ada Love",1001,Remis,-,-,"30,00",Oui
+"Participant 4712","Bob B",1002,Remis,-,-,"30,00",Oui
+"""
+CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,Quiz (77),Toy (88),Final Score\r
+,,,,,Manual Posting,,\r
+    Points Possible,,,,,5,30,(read only)\r
+"Love, Ada",4711,u1,ada@uni.edu,A,4,,80\r
+"B, Bob",4712,u2,bob@uni.edu,A,,12,60\r
+"Student, Test",4799,,abc,A,,,\r
+"""
+
+
+class ClassFiles(unittest.TestCase):
+    def file(self, text, **options):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        path = Path(scratch.name, "class.csv")
+        path.write_text(text, encoding="utf-8", newline="")
+        return ClassFile(path, TOY_ASSIGNMENT, **options)
+
+    def changed(self, text, marks, **options):
+        """The lines that change, before and after."""
+        after = self.file(text, **options).filled(marks)
+        pairs = zip(text.replace('"', "").splitlines(True), after.replace('"', "").splitlines(True), strict=True)
+        return [(one, other) for one, other in pairs if one != other]
+
+    def test_moodle_in_any_language(self):
+        for text, before, after in ((ENGLISH, "grading,,30.00", "grading,28.50,30.00"), (GERMAN, "Eingereicht,,30,00", "Eingereicht,28,50,30,00"),
+                                    (FRENCH, "Remis,-,-,30,00", "Remis,-,28,50,30,00")):
+            ((one, other),) = self.changed(text, {"4711": 28.5})
+            self.assertEqual(other, one.replace(before, after))
+
+    def test_who_has_no_mark_keeps_what_is_there(self):
+        self.assertIn("No submission,12.00", self.file(ENGLISH).filled({"4711": 30}))
+
+    def test_a_byte_order_mark_and_quotation_marks_stay(self):
+        filled = self.file(ENGLISH).filled({})
+        self.assertTrue(filled.startswith("\ufeffIdentifier,"))
+        self.assertIn('"well, ""fine"""', filled)
+
+    def test_canvas_by_the_title_of_the_assignment_or_by_name(self):
+        self.assertEqual(self.changed(CANVAS, {"4711": 28.5}), [("Love, Ada,4711,u1,ada@uni.edu,A,4,,80\r\n", "Love, Ada,4711,u1,ada@uni.edu,A,4,28.50,80\r\n")])
+        with self.assertRaisesRegex(BadInput, "maximum mark is 5, and the assignment has 30 points"):
+            self.file(CANVAS, column="Quiz (77)")
+
+    def test_ids_of_ones_own_are_found_in_any_cell(self):
+        for text in (ENGLISH, GERMAN, CANVAS):
+            ((_, other),) = self.changed(text, {"Ada@uni.edu": 1})
+            self.assertIn("ada@uni.edu", other)
+
+    def test_an_id_that_is_in_no_line_is_bad_input(self):
+        with self.assertRaisesRegex(BadInput, "class.csv: the id '4713' is in 0 lines, not in one"):
+            self.file(ENGLISH).row_of("4713")
+        with self.assertRaisesRegex(BadInput, "the id 'A' is in 3 lines"):
+            self.file(CANVAS).row_of("A")
+
+    def test_a_file_of_something_else_is_bad_input(self):
+        for text, error in (("student,points\nada,1\n", "neither a grading worksheet of Moodle nor a gradebook of Canvas"),
+                            ("", "neither a grading worksheet"),
+                            (ENGLISH.replace("30.00", "100.00"), "maximum mark is 100.00, and the assignment has 30 points"),
+                            ("Identifier,Name\nParticipant 1,Ada\n", "no column of marks before one with the maximum mark"),
+                            (CANVAS.replace("Toy (88)", "Sphere (88)"), "0 columns are named 'Toy \\(…\\)'; --column")):
+            with self.subTest(error), self.assertRaisesRegex(BadInput, error):
+                self.file(text)
+        with self.assertRaisesRegex(BadInput, "none.csv: No such file or directory"):
+            ClassFile(Path("none.csv"), TOY_ASSIGNMENT)
+
+
+if __name__ == "__main__":
+    toy_course.main()

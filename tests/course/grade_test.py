@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command `grade` from end to end, with the toy assignment. grade_test.py ROOT JUDGE"""
+import io
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+import zipfile
+from pathlib import Path
+
+import toy_course
+from toy_course import ARGUMENTS, COURSE, SOLUTION, Work, bubblewrap_problem, skip, write
+
+SANDBOX = [] if not bubblewrap_problem() else ["--sandbox", "user"]
+WORKSHEET = """Identifier,Name,Status,Grade,Maximum,Changeable
+"Participant 11",Ada,,,30.00,Yes
+"Participant 12",Bob,,,30.00,Yes
+"Participant 13",Cleo,,5.00,30.00,Yes
+"Participant 14",Dan,,5.00,30.00,Yes
+"""
+
+
+def zipped(files):
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as packed:
+        for name, text in files.items():
+            packed.writestr(name, text)
+    return stream.getvalue()
+
+
+class Grade(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.kit = Work(ARGUMENTS[0])  # whose kit, which takes seconds to compile, all others copy
+        cls.addClassCleanup(cls.kit.remove)
+        write(SOLUTION, cls.kit.submissions / "ada")
+        status, said = cls.kit.grade(*SANDBOX)
+        if status != 0:
+            raise AssertionError(said)
+
+    def setUp(self):
+        self.work = Work(ARGUMENTS[0])
+        self.addCleanup(self.work.remove)
+        shutil.copytree(self.kit.folder / "build", self.work.folder / "build")
+
+    def grade(self, *options):
+        return self.work.grade("--jobs", "2", *SANDBOX, *options)
+
+    def fails(self, status, text, *options):
+        """Requires that grading ends so, and that the grades stay as they are."""
+        before = sorted(path.relative_to(self.work.private) for path in self.work.output.rglob("*"))
+        found, said = self.grade(*options)
+        self.assertEqual(found, status, said)
+        self.assertRegex(said, text)
+        self.assertNotIn("Traceback", said)
+        self.assertEqual(sorted(path.relative_to(self.work.private) for path in self.work.output.rglob("*")), before)
+
+    def test_a_class_gets_points_reasons_and_the_file_of_moodle(self):
+        crlf = {name: b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode() for name, text in SOLUTION.items()}
+        carriage_return = {**SOLUTION, "src/cube.cpp": SOLUTION["src/cube.cpp"].replace("x * x * x", "1.\r0 * x * x * x")}
+        del carriage_return["src/sum.cpp"]
+        mac = {**{f"hw/{name}": text for name, text in SOLUTION.items()}, "__MACOSX/hw/src/._sum.cpp": "junk", "hw/.DS_Store": "junk"}
+        write({"Ada A_11_assignsubmission_file_/hw.zip": zipped(crlf), "Bob B_12_assignsubmission_file_/hw.zip": zipped(carriage_return),
+               "Cleo C_13_assignsubmission_file_hw.zip": zipped(mac), "Dan D_14_assignsubmission_file_hw.zip": b"damaged"}, self.work.submissions)
+        write({"worksheet.csv": WORKSHEET}, self.work.folder)
+
+        status, said = self.grade("--class", self.work.folder / "worksheet.csv")
+
+        self.assertEqual(status, 1, said)
+        self.assertIn("14: not graded: the zip is damaged: File is not a zip file\n", said)
+        self.assertIn("3 of 4 submissions were graded\n", said)
+        table = self.work.table()
+        self.assertEqual({id: row["points"] for id, row in table.items()}, {"11": "30", "12": "10", "13": "30", "14": ""})
+        self.assertEqual(list(table["11"]), ["id", "points", "square-even", "square-right", "sum-commutes", "sum-right", "cube-agrees", "cube-right"])
+        self.assertEqual(table["12"]["sum-right"], "0")
+        filled = (self.work.folder / "build/worksheet.csv").read_text()
+        self.assertEqual([line.split(",")[3] for line in filled.splitlines()[1:]], ["30.00", "10.00", "30.00", "5.00"])
+
+        feedback = (self.work.output / "12/feedback.txt").read_text()
+        self.assertIn("  src/sum.cpp was not handed in\n", feedback)
+        self.assertIn("  src/cube.cpp:2:34: error: expected ‘;’ before numeric constant\n", feedback)
+        self.assertEqual((self.work.output / "14/feedback.txt").read_text(), "This submission was not graded: the zip is damaged: File is not a zip file\n")
+        results = json.loads((self.work.output / "12/results.json").read_text())
+        self.assertEqual((results["score"], results["stdout_visibility"], len(results["tests"])), (10, "hidden", 6))
+        self.assertEqual([test["output"] for test in results["tests"] if "right" in test["name"]], ["", "", ""])
+
+    def test_grading_some_again_keeps_the_others(self):
+        write(SOLUTION, self.work.submissions / "ada")
+        write({"src/sum.cpp": SOLUTION["src/sum.cpp"]}, self.work.submissions / "bob")
+        (self.work.submissions / "cleo").symlink_to("ada")
+        self.assertEqual(self.grade()[0], 1)
+        self.assertEqual({id: row["points"] for id, row in self.work.table().items()}, {"ada": "30", "bob": "10", "cleo": ""})
+
+        shutil.rmtree(self.work.submissions)
+        write(SOLUTION, self.work.submissions / "bob")
+        status, said = self.grade()
+
+        self.assertEqual(status, 0, said)
+        self.assertEqual({id: row["points"] for id, row in self.work.table().items()}, {"ada": "30", "bob": "30", "cleo": ""})
+
+    def test_bad_input_ends_with_2_and_writes_nothing(self):
+        write(SOLUTION, self.work.submissions / "ada")
+        write({"worksheet.csv": WORKSHEET, "other.csv": "a,b\n1,2\n", "build/inside.csv": WORKSHEET}, self.work.folder)
+        self.fails(2, "neither a grading worksheet of Moodle nor a gradebook of Canvas", "--class", self.work.folder / "other.csv")
+        self.fails(2, "would replace this one; move it", "--class", self.work.folder / "build/inside.csv")
+        write(SOLUTION, self.work.submissions / "nobody")
+        self.fails(2, "the id 'nobody' is in 0 lines, not in one", "--class", self.work.folder / "worksheet.csv")
+        write({"thesis.tex": ""}, self.work.output)
+        self.fails(2, "this folder holds something other than grades, 'thesis.tex'; nothing was written")
+        shutil.rmtree(self.work.output)
+        shutil.rmtree(self.work.submissions)
+        write({"ada.zip": b"damaged"}, self.work.submissions)
+        self.fails(2, "ada: not graded: the zip is damaged(.|\n)*nothing can be graded; nothing was written")
+        (self.work.private / "salt.txt").unlink()
+        self.fails(2, "there is no salt for the hidden checks; prove writes one")
+
+    def test_a_grader_that_fails_gives_nobody_a_zero(self):
+        write(SOLUTION, self.work.submissions / "ada")
+        self.work.judge.write_text("#!/bin/sh\necho 'something is wrong' >&2\nexit 3\n")
+        status, said = self.grade()
+        self.assertEqual(status, 1)
+        self.assertIn("ada: not graded: the grader failed: judge failed (3): something is wrong", said)
+        self.assertEqual(self.work.table()["ada"]["points"], "")
+        self.work.judge.unlink()
+        self.assertEqual(self.grade()[0], 3)
+
+    def test_a_salt_with_which_nothing_was_proved_is_reported(self):
+        write(SOLUTION, self.work.submissions / "ada")
+        self.assertIn("note: the handout was not proved here with this salt", self.grade()[1])
+        sys.path.insert(0, str(COURSE))
+        from build import hash_of
+        write({"proved.json": json.dumps({"salt": hash_of((self.work.private / "salt.txt").read_bytes())})}, self.work.folder / "build/course")
+        self.assertNotIn("note", self.grade()[1])
+        (self.work.private / "salt.txt").write_text("a different salt\n")
+        self.assertIn("note: the handout was not proved here with this salt", self.grade()[1])
+
+    def test_after_an_interrupt_nothing_runs_and_the_next_command_works(self):
+        waiting = '#include <unistd.h>\n#include <sys/prctl.h>\ndouble square(double) { ::prctl(PR_SET_NAME, "waiting"); ::sleep(1000); return 1; }\n'
+        write({**SOLUTION, "src/square.cpp": waiting}, self.work.submissions / "ada")
+        running = lambda: [path for path in Path("/proc").glob("[0-9]*/comm") if path.exists() and path.read_text() == "waiting\n"]
+        command = [sys.executable, "-B", COURSE / "course.py", "grade", self.work.submissions, "--assignment", self.work.folder / "toy", "--build",
+                   self.work.folder / "build", "--judge", self.work.judge, "--salt-file", self.work.private / "salt.txt", "--output", self.work.output]
+        process = subprocess.Popen([*command, *SANDBOX], stderr=subprocess.PIPE, text=True)
+        while not running():
+            self.assertIsNone(process.poll())
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        self.assertIn("interrupted", process.communicate()[1])
+        self.assertEqual(process.returncode, 130)
+        for _ in range(600):
+            if not running():
+                break
+            time.sleep(0.1)
+        self.assertEqual(running(), [])
+        write(SOLUTION, self.work.submissions / "ada")
+        self.assertEqual(self.grade()[0], 0)
+
+
+if __name__ == "__main__":
+    if SANDBOX and os.geteuid() != 0:
+        skip(f"no submission was graded: {bubblewrap_problem()}")
+    toy_course.main()

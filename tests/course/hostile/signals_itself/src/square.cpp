@@ -1,7 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include <signal.h>
-
-double square(double x) {
-  raise(SIGSEGV);
-  return x * x;
-}

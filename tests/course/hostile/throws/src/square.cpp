@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-double square(double x) {
-  throw x;
-}

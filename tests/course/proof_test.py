@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parts of a proof that need no compiler: wrong solutions, leaks, archives."""
+import tempfile
+import unittest
+from pathlib import Path
+
+import toy_course
+from toy_course import ROOT, TOY
+
+import assignment
+import proof
+import template
+from errors import BadInput
+
+TOY_ASSIGNMENT = assignment.read(TOY / "assignment.toml")
+PROJECT = template.project(TOY_ASSIGNMENT, TOY, ROOT / "src")
+SOLUTION = {exercise.file: PROJECT[exercise.file].solution.encode() for exercise in TOY_ASSIGNMENT.exercise}
+LIST = (TOY / "wrong_solutions.toml").read_text(encoding="utf-8")
+
+
+class WrongSolutions(unittest.TestCase):
+    def read(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "list").write_text(text, encoding="utf-8")
+            return proof.read_wrong_solutions(Path(folder, "list"), SOLUTION)
+
+    def test_each_is_the_solution_with_its_changes(self):
+        (doubled, files), _ = self.read(LIST)
+        self.assertEqual((doubled.id, doubled.points), ("doubled", 10))
+        self.assertIn(b"return 2 * x;", files["src/square.cpp"])
+        self.assertEqual(files["src/sum.cpp"], SOLUTION["src/sum.cpp"])
+
+    def test_a_change_must_fit_once(self):
+        for before, after, error in (("return x * x;", "return x * y;", "'doubled': 'before' is in src/square.cpp 0 times, not once"),
+                                     ('"return x * x;"', '"x"', "'before' is in src/square.cpp 3 times, not once"),
+                                     ("src/square.cpp", "src/sphere.cpp", "src/sphere.cpp is no file of the solution"),
+                                     ("points = 10\n", "", "the key 'points' is missing")):
+            with self.subTest(after), self.assertRaisesRegex(BadInput, error):
+                self.read(LIST.replace(before, after, 1))
+
+    def test_new_points_change_nothing_else_in_the_list(self):
+        text = LIST + '\n[[wrong]]\nid = "odd"\nsays = ""\npoints = 1\nafter = """\npoints = 2\n"""\n'
+        points = {"doubled": 10, "no-cube": 20, "odd": 1}
+        self.assertEqual(proof.with_points(text, points), text)
+        self.assertEqual(proof.with_points(text, {**points, "no-cube": 7.25, "odd": 3}),
+                         text.replace("points = 20", "points = 7.25").replace("points = 1\n", "points = 3\n"))
+
+
+class Leaks(unittest.TestCase):
+    def test_lines_ids_and_names_are_found_in_texts_and_names_whatever_the_blanks(self):
+        secrets = {"return answer * answer;": "src/x.cpp:3", "x-reference": "the id of a hidden check", "x_hidden.cpp": "a file of hidden checks"}
+        for name, text in (("README.md", "so:  return answer *\n  answer;"), ("sheet.pdf", "the check x-reference"), ("src/x_hidden.cpp", "")):
+            self.assertEqual(len(proof.leaks({name: text}, secrets)), 1, name)
+        self.assertEqual(proof.leaks({"src/x.cpp": "return answer;"}, secrets), [])
+
+    def test_secrets_are_lines_of_the_solution_and_what_only_hidden_checks_have(self):
+        project = {"src/x.cpp": template.divide("// BEGIN SOLUTION\n  const double y = hidden(x);\n  short;\n// END SOLUTION\n", "x", {})}
+        with tempfile.TemporaryDirectory() as folder:
+            hidden, public = Path(folder, "x_hidden.cpp"), Path(folder, "x_checks.hpp")
+            hidden.write_text("#include \"everything_there_is.hpp\"\n  return tally.outcome() + 0;\n  compare(with, the_reference);\n")
+            public.write_text("return tally.outcome() + 0;\n")
+            found = proof.secrets_of(TOY_ASSIGNMENT, project, [hidden], [public])
+        self.assertEqual(found, {"const double y = hidden(x);": "src/x.cpp:2", "compare(with, the_reference);": "x_hidden.cpp:3",
+                                 "x_hidden.cpp": "a file of hidden checks", "square-right": "the id of a hidden check",
+                                 "sum-right": "the id of a hidden check", "cube-right": "the id of a hidden check"})
+
+
+class Archive(unittest.TestCase):
+    def test_the_same_files_give_the_same_bytes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            one, other = Path(folder, "one.zip"), Path(folder, "other.zip")
+            proof.write_zip({"b": "text", "a": b"#!/bin/sh\n"}, one)
+            proof.write_zip({"a": b"#!/bin/sh\n", "b": "text"}, other)
+            self.assertEqual(one.read_bytes(), other.read_bytes())
+
+
+if __name__ == "__main__":
+    toy_course.main()

@@ -1,0 +1,4 @@
+#pragma once
+double square(double x);
+double sum(double a, double b);
+double cube(double x);

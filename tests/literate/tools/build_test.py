@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a build runs after an edit, and what it prints."""
+
+import unittest
+
+from paper import PaperTest, rules_in
+
+
+class Rules(PaperTest):
+    def test_each_edit_runs_what_depends_on_it_and_nothing_else(self):
+        everything = ["compute small", "draw line", "typeset small"]
+        self.assertEqual(sorted(rules_in(self.make())), everything)
+        paper = self.paper
+        edits = {
+            "nothing": (lambda: None, []),
+            "a word": (lambda: paper.replace("paper/sections/more.tex", "More", "Much"), ["typeset small"]),
+            "a script of a figure": (lambda: paper.replace("figures/line.gp", "lines", "points"), ["draw line", "typeset small"]),
+            "a style, which is new": (lambda: paper.write("figures/style.gp", "set grid\n"), ["draw line", "typeset small"]),
+            "a number of the case": (lambda: paper.replace("case.toml", "1.5", "1.6"), ["compute small", "typeset small"]),
+            "the data of the figure": (lambda: paper.replace("case.toml", "slope = 2.0", "slope = 3.0"), everything),
+            "code without effect": (lambda: paper.replace("compute.py", "import literate", "import literate # here"), ["compute small"]),
+            "a figure, which is new": (lambda: (
+                paper.replace("compute.py", 'document.claim(', 'document.figure("new", 6, 4, {"b": {"x": [1, 2]}}); document.claim('),
+                paper.write("figures/new.gp", 'plot b using "x" notitle\n')), ["compute small", "draw new", "typeset small"]),
+        }
+        for edit, (act, rules) in edits.items():
+            with self.subTest(edit):
+                act()
+                self.assertEqual(sorted(rules_in(self.make())), rules)
+        self.assertEqual(paper.pdf.read_bytes(), paper.clean_pdf())
+
+    def test_a_commit_typesets_again_only_what_prints_it_differently(self):
+        self.make()
+        self.paper.commit()
+        self.assertEqual(rules_in(self.make()), ["typeset small"])
+        self.assertEqual(rules_in(self.make()), [])
+        self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
+
+    def test_two_clones_give_the_same_bytes(self):
+        self.paper.commit()
+        self.make()
+        self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
+
+    def test_a_source_that_is_saved_while_latex_runs_is_typeset_again(self):
+        self.paper.replace("paper/small.tex", r"\claimledger", r"\claimledger\immediate\write18{true}\input{late}")
+        self.paper.write("paper/late.tex", r"\message{reading late}")
+        tools = self.paper.folder.parent / "bin"
+        tools.mkdir()
+        (tools / "pdflatex").write_text(
+            f"#!/bin/sh\nPATH=/usr/bin:/bin\npdflatex \"$@\" || exit\nsleep 0.01; echo later >>'{self.paper.folder}/paper/late.tex'\n")
+        (tools / "pdflatex").chmod(0o755)
+        path = self.paper.environment["PATH"]
+        self.paper.environment["PATH"] = f"{tools}:{path}"
+        self.make()
+        self.paper.environment["PATH"] = path
+        self.assertEqual(rules_in(self.make()), ["typeset small"])
+        self.assertIn("later", self.paper.text())
+
+
+class Failures(PaperTest):
+    def test_a_failed_claim_publishes_a_stamped_pdf_and_fails_each_build_until_it_holds(self):
+        self.paper.replace("case.toml", "limit = 10.0", "limit = 1.0")
+        said = self.make(1)
+        self.assertIn("claim 'short': fails, expected holds", said)
+        self.assertIn("Not to be trusted: 1 check or claim failed", self.paper.text())
+        again = self.make(1)
+        self.assertIn("claim 'short': fails, expected holds", again)
+        self.assertEqual(rules_in(again), [])
+        self.paper.replace("case.toml", "limit = 1.0", "limit = 10.0")
+        self.make()
+        self.assertNotIn("Not to be trusted", self.paper.text())
+
+    def test_errors_have_the_place_where_they_are_mended(self):
+        cases = [
+            ("an unknown value, and the nearest name", "paper/sections/more.tex", r"\val{share}", "\n\n\\val{shaer}",
+             "paper/sections/more.tex:3: unknown value 'shaer', did you mean 'share'?"),
+            ("an unknown table", "paper/small.tex", r"\tab{lengths}", r"\tab{length}",
+             "paper/small.tex:10: unknown table 'length', did you mean 'lengths'?"),
+            ("an unknown claim", "paper/small.tex", r"\claim{short}", r"\claim{shirt}",
+             "paper/small.tex:8: unknown claim 'shirt', did you mean 'short'?"),
+            ("an unknown flag", "paper/small.tex", r"\ifflag{big}", r"\ifflag{bug}", "paper/small.tex:8: unknown flag 'bug', did you mean 'big'?"),
+            ("more digits than are earned", "paper/small.tex", r"\val[2]{x}", r"\val[9]{x}",
+             r"paper/small.tex:8: \val[9]{x}: only 5 digits are earned"),
+            ("an unknown command", "paper/small.tex", "It is", "It \\iss", "paper/small.tex:8: undefined command \\iss"),
+            ("a missing file", "paper/small.tex", r"\input{sections/more}", r"\input{sections/moer}",
+             "paper/small.tex:9: LaTeX Error: File `sections/moer.tex' not found"),
+            ("a missing package", "paper/small.tex", r"\usepackage{lmodern}", r"\usepackage{lmodernn}",
+             "paper/small.tex:4: LaTeX Error: File `lmodernn.sty' not found"),
+            ("literate.sty is not loaded", "paper/small.tex", "\\usepackage{literate}\n", "",
+             r"paper/small.tex:6: \usepackage{literate} is missing"),
+            ("prose that is not UTF-8", "paper/small.tex", "It is", "It \udcffis", "paper/small.tex:8: LaTeX Error: Invalid UTF-8 byte"),
+            ("an author's LaTeX in a table", "compute.py", 'literate.column("name")', 'literate.column("\\\\naem")',
+             "compute.py:9: table 'lengths': undefined command \\naem"),
+            ("gnuplot", "figures/line.gp", "plot points", "set xtics\nplot piont", 'figures/line.gp:2: undefined variable: piont'),
+            ("a column that the data do not have", "figures/line.gp", '"b"', '"c"', "figures/line.gp:1: all points y value undefined"),
+            ("a script that draws nothing", "figures/line.gp", "plot", "#", "figures/line.gp: gnuplot drew nothing"),
+            ("a Python script", "compute.py", "import literate", "import literat", "compute.py ended with exit code 1"),
+            ("a value without its error", "compute.py", "error=1e-6, ", "", "compute.py:6"),
+            ("a case that is no TOML", "case.toml", "x = 1.5", "x = = 1.5", "line 1"),
+        ]
+        for what, file, before, after, message in cases:
+            with self.subTest(what):
+                right = (self.paper.folder / file).read_text()
+                self.paper.write(file, right)
+                path = self.paper.folder / file
+                path.write_bytes(right.replace(before, after).encode(errors="surrogateescape"))
+                said = self.make(1)
+                self.assertIn(message, said)
+                path.write_text(right)
+        self.make()
+        self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
+
+    def test_a_figure_needs_its_script_but_a_case_may_leave_it_out(self):
+        self.paper.write("figures/liin.gp", "plot points\n")
+        self.make()
+        self.assertEqual(rules_in(self.make()), [])
+        self.assertIn("figures/liin.gp: unknown figure 'liin', did you mean 'line'?", self.paper.literate("check", str(self.paper.settings))[1])
+        (self.paper.folder / "figures/line.gp").unlink()
+        self.assertIn("paper/small.tex:11: figure 'line' is not drawn", self.make(1))
+
+    def test_what_a_reader_would_see_is_a_warning(self):
+        self.paper.replace("paper/sections/more.tex", "More", r"\ref{tab:none} \cite{nobody} \hbox to 1cm{\rule{3cm}{1ex}}" + "\n\nMore")
+        said = self.make()
+        self.assertIn("paper/sections/more.tex:1: undefined reference 'tab:none'", said)
+        self.assertIn("paper/sections/more.tex:1: undefined citation 'nobody'", said)
+        self.assertRegex(said, r"paper/sections/more.tex:1: a line is [\d.]+pt too wide")
+
+    def test_settings_and_results_that_are_none_are_refused_in_one_line(self):
+        self.make()
+        results = self.paper.output / "generated" / "results.json"
+        right = results.read_text()
+        for what, text, message in [("half", right[:100], "only half of it"), ("foreign", '{"a": 1}', "no results of a paper"),
+                                    ("a list", "[]", "no results of a paper"),
+                                    ("of another version", right.replace('"schema": 1', '"schema": 2'), "schema 2, but this engine reads schema 1"),
+                                    ("incomplete", '{"schema": 1, "values": {}}', "no complete results")]:
+            with self.subTest(what):
+                results.write_text(text)
+                code, said = self.paper.literate("changes", str(self.paper.settings), str(results))
+                self.assertEqual((code, said.count("\n")), (2, 1), said)
+                self.assertIn(message, said)
+        for arguments, message in [(["check", "none.json"], "there is no such file"), (["chek"], "did you mean 'check'"),
+                                   (["check", str(self.paper.folder / "case.toml")], "no settings of a paper")]:
+            code, said = self.paper.literate(*arguments)
+            self.assertEqual(code, 2)
+            self.assertIn(message, said)
+
+
+class Paths(PaperTest):
+    def test_paths_may_have_blanks_commas_quotes_and_umlauts(self):
+        for name in ("a blank", "Doe, J", "O'Neil", 'a "quote"', "Größe", "a & (b)", "50%="):
+            with self.subTest(name):
+                paper = type(self.paper)(self.paper.folder.parent / name / "small")
+                self.make(paper=paper)
+                paper.replace("paper/sections/more.tex", "More", "Much")
+                self.assertEqual(rules_in(self.make(paper=paper)), ["typeset small"])
+                self.assertEqual(rules_in(self.make(paper=paper)), [])
+
+    def test_the_paper_may_be_in_a_subdirectory_of_the_project(self):
+        for name in ("plain", "O'Neil"):
+            with self.subTest(name):
+                paper = type(self.paper)(self.paper.folder.parent / name / "small")
+                lists = (paper.folder / "CMakeLists.txt").read_text()
+                paper.write("sub/CMakeLists.txt", lists[lists.index("include"):].replace("paper MAIN", "../paper MAIN").replace("CASE ", "CASE ../")
+                            .replace("figures\n", "../figures\n").replace("SCRIPT compute.py", "SCRIPT ../compute.py")
+                            .replace("SOURCES compute.py FAULTS faults.txt", "SOURCES ../compute.py"))
+                paper.write("CMakeLists.txt", lists[:lists.index("include")] + "add_subdirectory(sub)\n")
+                code, said = paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja")
+                self.assertNotIn("Warning", said)
+                paper.run("ninja", "-C", "build", "sub/small")
+                paper.replace("paper/sections/more.tex", "More", "Much")
+                self.assertEqual(rules_in(paper.run("ninja", "-C", "build", "sub/all")[1]), ["typeset small"])
+                if name == "plain":
+                    self.assertEqual(rules_in(paper.run("ninja", "-C", "build", "sub/all")[1]), [])
+
+    def test_the_folder_of_the_output_may_be_elsewhere(self):
+        self.paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja", f"-Dsmall_OUTPUT={self.paper.folder}/out/paper")
+        self.paper.run("ninja", "-C", "build")
+        self.assertTrue((self.paper.folder / "out/paper/small.pdf").exists())
+        self.assertEqual(rules_in(self.make()), [])
+        self.paper.replace("paper/sections/more.tex", "More", "Much")
+        self.assertEqual(rules_in(self.make()), ["typeset small"])
+
+    def test_the_folder_of_the_sources_may_be_read_only(self):
+        for path in [self.paper.folder, *self.paper.folder.rglob("*")]:
+            path.chmod(0o555 if path.is_dir() else 0o444)
+        self.paper.build = self.paper.folder.parent / "build"
+        code, said = self.paper.run("cmake", "-S", ".", "-B", str(self.paper.build), "-G", "Ninja")
+        before = sorted(self.paper.folder.rglob("*"))
+        code, said = self.paper.run("ninja", "-C", str(self.paper.build), "small")
+        self.assertEqual(code, 0, said)
+        self.assertEqual(sorted(self.paper.folder.rglob("*")), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

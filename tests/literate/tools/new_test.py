@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`literate new` and the Makefile of a new paper, with an installed engine but for its C++ library."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from paper import ENGINE, RESULTS
+
+
+class New(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory(prefix="new ")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name).resolve()
+        self.environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "ENGINE", "MAKEFLAGS", "MAKELEVEL")}
+
+    def installed(self, name: str) -> Path:
+        """Returns an engine in PREFIX/share/literate as it is installed, but for the C++ library, which papers by scripts do not need."""
+        engine = self.folder / name / "share" / "literate"
+        shutil.copytree(ENGINE, engine, ignore=shutil.ignore_patterns("*.cpp", "*.hpp", "__pycache__"))
+        shutil.copytree(ENGINE / "template", engine / "template", dirs_exist_ok=True)
+        (engine / "cmake" / "literateTargets.cmake").touch()
+        (self.folder / name / "bin").mkdir()
+        shutil.copy(RESULTS, self.folder / name / "bin" / "literate-results")
+        (self.folder / name / "bin" / "literate").symlink_to("../share/literate/tools/literate")
+        return self.folder / name
+
+    def run_in(self, folder: Path, *command: str | Path, code: int = 0) -> str:
+        """Runs a command and returns all that it prints."""
+        ran = subprocess.run(command, cwd=folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(ran.returncode, code, ran.stdout)
+        return ran.stdout
+
+    def new_paper(self, prefix: Path, *options: str) -> Path:
+        """Writes a new paper and returns its folder."""
+        self.run_in(self.folder, prefix / "bin" / "literate", "new", *options, "cup")
+        return self.folder / "cup"
+
+    def test_a_paper_in_python_builds_at_once_without_a_compiler_and_all_verbs_work_on_it(self):
+        prefix = self.installed("engine")
+        self.environment |= {"CXX": "/none", "CC": "/none"}
+        paper = self.new_paper(prefix, "--python")
+        self.assertIn("build/cup/cup.pdf", self.run_in(paper, "make"))
+        self.assertEqual(self.run_in(paper, "make"), "build/cup/cup.pdf\n")
+        self.assertIn("passed", self.run_in(paper, "make", "test"))
+        self.run_in(paper, "make", "check")
+        self.run_in(paper, "git", "init", "-q")
+        self.run_in(paper, "git", "add", "-A")
+        self.assertNotIn(".engine", self.run_in(paper, "git", "status", "--porcelain"))
+        self.run_in(paper, "git", "-c", "user.name=a", "-c", "user.email=b", "commit", "-qm", "new")
+        self.assertIn("cup: the same bytes", self.run_in(paper, "make", "verify"))
+        self.assertIn("nothing changed", self.run_in(paper, "make", "changes"))
+        self.assertIn("3 faults turn 2 of 2 claims", self.run_in(paper, "make", "severity"))
+        self.assertIn("cup.tar.gz", self.run_in(paper, "make", "dist"))
+        self.assertIn("cases.csv", self.run_in(paper, "make", "cases", "J=2"))
+        self.assertTrue((paper / "build/cases/swing-60/cup.pdf").exists())
+        self.assertLessEqual(len(self.run_in(paper, "make", "help").splitlines()), 20)
+
+    def test_an_error_is_printed_without_the_command_that_failed(self):
+        paper = self.new_paper(self.installed("engine"), "--python")
+        prose = paper / "paper" / "cup.tex"
+        prose.write_text(prose.read_text().replace(r"\val{period}", r"\val{perod}"))
+        said = self.run_in(paper, "make", code=2).splitlines()
+        self.assertEqual(said[-2], "paper/cup.tex:19: unknown value 'perod', did you mean 'period'?")
+        self.assertNotIn("FAILED", "\n".join(said))
+
+    def test_an_engine_that_moved_is_found_again_or_asked_for(self):
+        prefix = self.installed("one")
+        paper = self.new_paper(prefix, "--python")
+        self.run_in(paper, "make")
+        pdf = (paper / "build/cup/cup.pdf").read_bytes()
+        two = prefix.rename(self.folder / "two")
+        said = self.run_in(paper, "make", code=2)
+        self.assertIn(f"there is no engine in '{self.folder}/one/share/literate': make ENGINE=folder", said)
+        self.run_in(paper, "make", f"ENGINE={two}/share/literate")
+        self.run_in(paper, "make")  # it is remembered
+        three = two.rename(self.folder / "three")
+        self.environment["PATH"] = f"{three / 'bin'}:{os.environ['PATH']}"
+        self.run_in(paper, "make")  # the command `literate` knows where it is
+        self.installed("one")
+        self.run_in(paper, "make", f"ENGINE={self.folder}/one/share/literate")
+        self.assertIn(f"{self.folder}/one/", (paper / "build/cup.json").read_text())
+        moved = paper.rename(self.folder / "moved cup")
+        self.run_in(moved, "make")
+        self.assertEqual((moved / "build/cup/cup.pdf").read_bytes(), pdf)
+
+    def test_of_two_makes_at_once_one_waits_for_the_other(self):
+        paper = self.new_paper(self.installed("engine"), "--python")
+        makes = [subprocess.Popen(["make"], cwd=paper, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                 for _ in range(2)]
+        said = [make.communicate()[0] for make in makes]
+        self.assertEqual([make.returncode for make in makes], [0, 0], said)
+        self.assertEqual(sorted("typeset cup" in one for one in said), [False, True])
+        pdf = (paper / "build/cup/cup.pdf").read_bytes()
+        self.run_in(paper, "make", "clean")
+        self.run_in(paper, "make")
+        self.assertEqual((paper / "build/cup/cup.pdf").read_bytes(), pdf)
+
+    def test_a_folder_that_is_there_and_a_name_that_does_not_fit_are_refused(self):
+        literate = [sys.executable, ENGINE / "tools" / "literate", "new"]
+        self.assertIn("the name of a paper has letters", self.run_in(self.folder, *literate, "a b", code=2))
+        (self.folder / "full").mkdir()
+        (self.folder / "full" / "file").touch()
+        self.assertIn("this folder is there already", self.run_in(self.folder, *literate, "full", code=2))
+
+
+if __name__ == "__main__":
+    unittest.main()
