@@ -93,10 +93,4 @@ elasticity::Stress McEwen::stress(double x, double z) const {
   return {factor * (2 * n * n + a * c * m), factor * m * (z + m), x < 0 ? -xz : xz};
 }
 
-// With s = z/√(a² + z²) the shear on the axis is p₀ (z/a)(1 − s), greatest where s² + s = 1.
-GreatestShear McEwen::greatest_shear() const {
-  constexpr double phi = std::numbers::phi;
-  return {peak_pressure_ / (phi * phi * std::sqrt(phi)), half_width_ / std::sqrt(phi)};
-}
-
 }  // namespace line_contact

@@ -81,12 +81,6 @@ class Hertz {
   double peak_pressure_;
 };
 
-/// The greatest shear beneath a contact and where it is found.
-struct GreatestShear {
-  double shear;  ///< τ₁, a stress
-  double depth;  ///< z on the axis x = 0, a length
-};
-
 /// McEwen's closed form for the stresses beneath Hertz's pressure, without friction, in plane
 /// strain (McEwen 1949; Johnson 4.49a–c).
 class McEwen {
@@ -105,11 +99,6 @@ class McEwen {
   /// arithmetic. On the surface σ_xx = σ_zz = −p. At the edges it is the limit, 0. Squares of
   /// lengths must not overflow. Throws InvalidQuantity for x or z not finite, and for z < 0.
   elasticity::Stress stress(double x, double z) const;
-
-  /// The greatest shear in the whole body, which lies on the axis, as the contact is without
-  /// friction: τ₁ = p₀ φ^(−5/2) = 0.300283 p₀ at z = a/√φ = a √((√5 − 1)/2) = 0.786151 a, with φ
-  /// the golden ratio; to some roundings. (Johnson, section 4.2: 0.30 p₀ at 0.78 a.)
-  GreatestShear greatest_shear() const;
 
  private:
   double half_width_;

@@ -30,12 +30,12 @@ inline const line_contact::Hertz hertz(cylinders, load);
 
 // A parabola with waves on it, its lowest point aside, known at 120 points from −0.4 to 0.5:
 // contact in several regions.
-inline Profile wavy_profile() {
+inline Profile wavy_profile(double above = 0) {
   std::vector<double> x, gap;
   for (int i = 0; i < 120; ++i) {
     const double at = -0.4 + 0.9 * i / 119;
     x.push_back(at);
-    gap.push_back(0.3 * (at - 0.03) * (at - 0.03) + 0.004 * std::cos(71 * at + 0.4));
+    gap.push_back(above + 0.3 * (at - 0.03) * (at - 0.03) + 0.004 * std::cos(71 * at + 0.4));
   }
   return Profile::tabulated(x, gap);
 }

@@ -97,6 +97,11 @@ BOOST_AUTO_TEST_CASE(the_approach_at_a_datum_is_that_of_hertz) {
       BOOST_TEST(relative_difference(s.approach(datum * hertz.half_width()), exact) < 1e-4);
     }
   }
+  // Bodies that are farther apart at first have to approach by as much more.
+  Problem wavy = problem_of(cases[1], 300);
+  const double before = solve_by_fft(wavy, load).approach(3);
+  wavy.profile = wavy_profile(0.02385);
+  BOOST_TEST(std::abs(solve_by_fft(wavy, load).approach(3) - before - 0.02385) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(the_slope_between_nodes_is_that_of_equation_2) {
