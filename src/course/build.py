@@ -71,6 +71,7 @@ class Kit:
             if done.returncode != 0:
                 raise ToolFailure(f"{name} of the handout does not compile: {done.stderr.strip()}")
 
+        progress("compiling the kit", 0, len(objects))
         with ThreadPoolExecutor(jobs) as pool:
             for number, _ in enumerate(pool.map(compile_one, objects), 1):
                 progress("compiling the kit", number, len(objects))

@@ -38,14 +38,14 @@ exit codes: 0 done, 1 a claim does not hold or something was not graded, 2 bad i
 
 
 class Progress:
-    """Counts on standard error, in whatever takes longer than two seconds."""
+    """Counts on standard error: when something long begins, and from then on once a second."""
 
     def __init__(self):
-        self.begin = self.latest = time.monotonic()
+        self.latest = time.monotonic()
 
     def __call__(self, what, done, total):
         now = time.monotonic()
-        if now - self.begin > 2 and (now - self.latest > 1 or done == total):
+        if done == 0 or now - self.latest > 1:
             self.latest = now
             print(f"{what}: {done} of {total}", file=sys.stderr)
 
@@ -169,6 +169,7 @@ def grade_all(course, options, taken):
             sandbox = sandbox_class(kit.folder, course.assignment.limits)
             return Grader(course.assignment, kit, sandbox, judge, store).grade(taken[id], id)
 
+    course.progress("graded", 0, len(taken))
     with ThreadPoolExecutor(options.jobs) as pool:
         waiting = {pool.submit(grade_one, id): id for id in taken}
         for number, future in enumerate(as_completed(waiting), 1):

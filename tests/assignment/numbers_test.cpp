@@ -58,12 +58,6 @@ BOOST_AUTO_TEST_CASE(three_hundred_students_have_different_valid_numbers) {
   BOOST_TEST(seen.size() == 300U);
 }
 
-BOOST_AUTO_TEST_CASE(the_theory_needs_small_contacts_and_strains) {
-  BOOST_TEST(!is_valid_with(&OwnNumbers::radius1, 0.001));
-  BOOST_TEST(!is_valid_with(&OwnNumbers::line_load, 4e7));
-  BOOST_TEST(!is_valid_with(&OwnNumbers::peak_pressure, 6e9));
-}
-
 BOOST_AUTO_TEST_CASE(the_grid_ends_just_outside_the_contact) {
   BOOST_TEST(!is_valid_with(&OwnNumbers::nodes, 81));
   BOOST_TEST(!is_valid_with(&OwnNumbers::nodes, 141));
@@ -71,12 +65,12 @@ BOOST_AUTO_TEST_CASE(the_grid_ends_just_outside_the_contact) {
   BOOST_TEST(!is_valid_with(&OwnNumbers::line_load, 60e3));
 }
 
-BOOST_AUTO_TEST_CASE(materials_are_solids_and_the_datum_is_far_away) {
-  BOOST_TEST(!is_valid_with(&OwnNumbers::young1, 1e8));
-  BOOST_TEST(!is_valid_with(&OwnNumbers::young2, 2e12));
-  BOOST_TEST(!is_valid_with(&OwnNumbers::poisson1, 0.5));
-  BOOST_TEST(!is_valid_with(&OwnNumbers::poisson2, -0.1));
-  BOOST_TEST(!is_valid_with(&OwnNumbers::datum, 0.002));
+BOOST_AUTO_TEST_CASE(the_pressure_strains_no_metal_beyond_its_linear_range) {
+  OwnNumbers numbers = nominal_numbers();
+  numbers.line_load *= 100;
+  numbers.spacing *= 10;
+
+  BOOST_TEST(!is_valid(numbers));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assignment/given/numbers.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -60,10 +59,6 @@ double compliance(double young, double poisson) {
   return (1 - poisson * poisson) / young;
 }
 
-bool is_plausible_material(double young, double poisson) {
-  return young >= 1e9 && young <= 1e12 && poisson >= 0 && poisson <= 0.45;
-}
-
 }  // namespace
 
 OwnNumbers nominal_numbers() {
@@ -86,26 +81,13 @@ OwnNumbers own_numbers(const std::string& id) {
 }
 
 bool is_valid(const OwnNumbers& n) {
-  // A half-space may stand for a cylinder if the contact is this small compared with the radii.
-  constexpr double most_of_radius = 0.1;
-  // Pressures beyond this part of E* would strain metals beyond the linear range.
-  constexpr double most_of_modulus = 0.02;
-
   // Hertz's half-width and greatest pressure, Johnson (4.43) and (4.45).
   const double modulus = 1 / (compliance(n.young1, n.poisson1) + compliance(n.young2, n.poisson2));
   const double curvature = 1 / n.radius1 + 1 / n.radius2;
   const double a = std::sqrt(4 * n.line_load / (std::numbers::pi * modulus * curvature));
   const double peak = 2 * n.line_load / (std::numbers::pi * a);
   const double edge = (n.nodes - 1) / 2 * n.spacing;
-
-  const bool is_small = a <= most_of_radius * std::min(n.radius1, n.radius2) &&
-                        peak <= most_of_modulus * modulus &&
-                        n.peak_pressure <= most_of_modulus * n.young1;
-  // The grid shows the shape and ends neither inside the contact nor far from it.
-  const bool is_resolved = a >= 25 * n.spacing && edge >= 1.1 * a && edge <= 1.6 * a;
-  const bool is_far = n.datum >= 10 * edge && n.datum >= 10 * n.half_width;
-  return is_plausible_material(n.young1, n.poisson1) &&
-         is_plausible_material(n.young2, n.poisson2) && is_small && is_resolved && is_far;
+  return peak <= 0.02 * modulus && a >= 25 * n.spacing && edge >= 1.1 * a && edge <= 1.6 * a;
 }
 
 std::string lines_of(const OwnNumbers& numbers) {

@@ -25,8 +25,8 @@ OwnNumbers nominal_numbers();
 /// drawn from the ranges in numbers.cpp by a hash of the id until is_valid() holds.
 OwnNumbers own_numbers(const std::string& id);
 
-/// Whether the theory holds for these numbers: the contact is small compared with the radii, the
-/// strain is small, the grid resolves the contact and ends just outside it.
+/// Whether numbers within the ranges go together: the pressure strains no metal beyond its linear
+/// range, and the grid resolves the contact and ends just outside it.
 bool is_valid(const OwnNumbers& numbers);
 
 /// A line "name value unit" for each quantity.
