@@ -21,6 +21,7 @@ ComplexBuffer::ComplexBuffer(std::size_t size)
 ComplexFourier::ComplexFourier(std::size_t size) : size_(size) {
   const ComplexBuffer buffer(size);
   const int n = static_cast<int>(size);
+  const std::scoped_lock lock(fftw_planner());
   forward_.reset(
       fftw_plan_dft_1d(n, as_fftw(buffer), as_fftw(buffer), FFTW_FORWARD, FFTW_ESTIMATE));
   backward_.reset(

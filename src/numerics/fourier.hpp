@@ -5,13 +5,17 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
 namespace numerics {
 
+/// Held while a plan is made or destroyed: FFTW's planner belongs to one thread at a time.
+std::mutex& fftw_planner();
+
 struct FreeFftwPlan {
-  void operator()(fftw_plan_s* plan) const { fftw_destroy_plan(plan); }
+  void operator()(fftw_plan_s* plan) const;
 };
 using FftwPlan = std::unique_ptr<fftw_plan_s, FreeFftwPlan>;
 
@@ -28,7 +32,7 @@ std::size_t convenient_fourier_size(std::size_t min_size);
 /// times n. Each overwrites the other's view. The n real numbers are transformed as n/2 complex
 /// ones (Press et al., Numerical Recipes, 12.3.2): FFTW plans these in half a millisecond, a real
 /// transform in 5 to 20, which is more than a small contact takes. Plans are estimated, not
-/// measured, so that a result is the same each time. FFTW's planner is not for two threads.
+/// measured, so that a result is the same each time.
 class RealFourier {
  public:
   /// A transform of the least convenient length n ≥ min_size: even, with few and small odd primes.
@@ -49,7 +53,7 @@ class RealFourier {
   FftwPlan backward_;
 };
 
-/// Complex numbers that lie in memory as FFTW wants them.
+/// Complex numbers that lie in memory as FFTW needs them.
 class ComplexBuffer {
  public:
   /// Throws std::bad_alloc.

@@ -33,8 +33,19 @@ RealFourier::RealFourier(std::size_t min_size)
   }
   auto* z = reinterpret_cast<fftw_complex*>(buffer_.get());
   const int n = static_cast<int>(size_ / 2);
+  const std::scoped_lock lock(fftw_planner());
   forward_.reset(fftw_plan_dft_1d(n, z, z, FFTW_FORWARD, FFTW_ESTIMATE));
   backward_.reset(fftw_plan_dft_1d(n, z, z, FFTW_BACKWARD, FFTW_ESTIMATE));
+}
+
+std::mutex& fftw_planner() {
+  static std::mutex planner;
+  return planner;
+}
+
+void FreeFftwPlan::operator()(fftw_plan_s* plan) const {
+  const std::scoped_lock lock(fftw_planner());
+  fftw_destroy_plan(plan);
 }
 
 std::span<std::complex<double>> RealFourier::spectrum() {

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include "random_inputs.hpp"
 #include "tolerances.hpp"
@@ -81,6 +82,25 @@ BOOST_AUTO_TEST_CASE(transforms_are_the_sums_they_stand_for) {
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(threads_may_plan_transforms_at_the_same_time) {
+  // FFTW's planner crashes here if two threads enter it.
+  std::vector<Complex> sums(4);
+  const auto plan_many = [&](std::size_t thread) {
+    for (std::size_t n = 4; n < 2000; n += 4) {
+      RealFourier fourier(n);
+      const ComplexFourier complex(n);
+      std::fill(fourier.signal().begin(), fourier.signal().end(), 1.0);
+      fourier.forward();
+      sums[thread] += fourier.spectrum()[0] / static_cast<double>(fourier.size());
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < sums.size(); ++i) threads.emplace_back(plan_many, i);
+  }
+  for (const Complex& sum : sums) BOOST_TEST(std::abs(sum - 499.0) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_long_transform_keeps_its_digits) {

@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(what_is_out_of_range_is_refused_by_its_key) {
        "point_contact.load: -100 lbf: must be greater than 0"},
       {"order = 7", "order = 11", "block.order"},
       {"order = 7", "order = 4294967303", "block.order"},  // 2³² + 7
-      {"refine = 1", "refine = 7", "block.refine: 7: must be from 1 to 4"},
+      {"refine = 2", "refine = 7", "block.refine: 7: must be from 1 to 4"},
       {"sides = \"clamped\"", "sides = \"held\"", "must be clamped, roller or free"},
       {"width = {value = 2,", "width = {value = 20.1,", half_width},
       {"height = {value = 1,", "height = {value = 20.1,", half_width},
