@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Who follows TUTORIAL.md gets what it prints: its files are written, its commands run and their output compared, in its order.
-The manual's section on Python makes the same paper.
+The manual's section on Python makes the same paper, and its paper with a fit is the same in both languages.
 
 A file is a block of code behind a line with the file's name in bold; a line that begins with «Add to» adds the block above the
 comment that says what comes there. A block `console` has commands, each with what it prints. LITERATE_BUILD names CMake's folder
@@ -43,6 +43,7 @@ class Reader:
             text = path.read_text()
             self.test.assertEqual(len(COMMENT.findall(text)), 1, path)
             content = COMMENT.sub(lambda comment: content + comment[0], text)
+        path.parent.mkdir(exist_ok=True)
         path.write_text(content)
 
     def run_all(self, content: str) -> None:
@@ -58,33 +59,52 @@ class Reader:
 
     def results(self) -> dict:
         """Returns the results without places and the case."""
-        text = (self.folder / "build/well/generated/results.json").read_text()
+        text = next(self.folder.glob("build/*/generated/results.json")).read_text()
         return json.loads(re.sub(r'"place": *"[^"]*"', '"place": ""', text))
 
 
 class Tutorial(unittest.TestCase):
     maxDiff = None
 
-    def test_its_code_builds_and_its_messages_are_those_that_come(self):
-        cpp = (ENGINE / "TUTORIAL.md").read_text()
-        python = re.search(r"^## Python\n(.*?)^## ", (ENGINE / "README.md").read_text(), re.MULTILINE | re.DOTALL)[1]
-        with tempfile.TemporaryDirectory(prefix="tutorial-") as name:
-            folder = Path(name).resolve()
-            subprocess.run(["cmake", "--install", os.environ["LITERATE_BUILD"] + "/src/literate", "--prefix", folder / "prefix"],
-                           check=True, capture_output=True)
-            os.environ["PATH"] = f"{folder / 'prefix' / 'bin'}:{os.environ['PATH']}"
-            os.environ |= {f"GIT_{who}_{what}": "reader@example.org" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
-            for home in ("cpp", "python"):
-                (folder / home).mkdir()
-            reader = Reader(folder / "cpp", self)
-            reader.follow(cpp)
-            follower = Reader(folder / "python", self)
-            follower.run_all("$ literate new --python well\nwell: cd there and run make; README.md describes the files\n$ cd well\n")
-            follower.run_all(re.search(r"^\$ rm .*\n", cpp, re.MULTILINE)[0])
-            for same in ("case.toml", "paper/well.tex", "figures/depth.gp"):
-                (follower.folder / same).write_text((reader.folder / same).read_text())
-            follower.follow(python)
-            self.assertEqual(follower.results(), reader.results())
+    @classmethod
+    def setUpClass(cls) -> None:
+        temporary = tempfile.TemporaryDirectory(prefix="tutorial-")
+        cls.addClassCleanup(temporary.cleanup)
+        cls.base = Path(temporary.name).resolve()
+        subprocess.run(["cmake", "--install", os.environ["LITERATE_BUILD"] + "/src/literate", "--prefix", cls.base / "prefix"],
+                       check=True, capture_output=True)
+        os.environ["PATH"] = f"{cls.base / 'prefix' / 'bin'}:{os.environ['PATH']}"
+        os.environ |= {f"GIT_{who}_{what}": "reader@example.org" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+
+    def reader(self, home: str, *new: str) -> Reader:
+        """Returns a reader, who begins with a new paper without its pendulum if one is given."""
+        (self.base / home).mkdir()
+        reader = Reader(self.base / home, self)
+        if new:
+            reader.run_all(f"$ literate new {' '.join(new)}\n{new[-1]}: cd there and run make; README.md describes the files\n"
+                           f"$ cd {new[-1]}\n$ rm -r src/* tests cases faults.txt figures/period.gp\n")
+        return reader
+
+    def test_the_tutorial_builds_and_its_messages_are_those_that_come_in_python_as_well(self):
+        reader = self.reader("cpp")
+        reader.follow((ENGINE / "TUTORIAL.md").read_text())
+        follower = self.reader("python", "--python", "well")
+        for same in ("case.toml", "paper/well.tex", "figures/depth.gp"):
+            (follower.folder / same).write_text((reader.folder / same).read_text())
+        follower.follow(section("Python"))
+        self.assertEqual(follower.results(), reader.results())
+
+    def test_the_paper_with_a_fit_is_the_same_in_both_languages(self):
+        common, cpp, python, prose = re.split("^### ", section("A paper with a fit"), flags=re.MULTILINE)
+        readers = [self.reader("fit-cpp", "spring"), self.reader("fit-python", "--python", "spring")]
+        for reader, program in zip(readers, (cpp, python)):
+            reader.follow(common + program + prose)
+        self.assertEqual(readers[0].results(), readers[1].results())
+
+
+def section(heading: str) -> str:
+    """Returns a section of the manual."""
+    return re.search(rf"^## {heading}\n(.*?)^## ", (ENGINE / "README.md").read_text(), re.MULTILINE | re.DOTALL)[1]
 
 
 if __name__ == "__main__":
