@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Who follows TUTORIAL.md gets what it prints: its files are written, its commands run and their output compared, in its order.
+The manual's section on Python makes the same paper, and its paper with a fit is the same in both languages.
+
+A file is a block of code behind a line with the file's name in bold; a line that begins with «Add to» adds the block above the
+comment that says what comes there. A block `console` has commands, each with what it prints. LITERATE_BUILD names CMake's folder
+of the engine.
+"""
+
+import json
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from paper import ENGINE
+
+BLOCK = re.compile(r"^([^\n]*)\n```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+COMMENT = re.compile(r"^.*Table, figure and claim come here\.\n", re.MULTILINE)
+PROGRESS = re.compile(r"\[\d+/\d+\] |-- |make: \*\*\* ")  # a terminal does not keep it; CMake's; how make ends
+
+
+class Reader:
+    """Follows the tutorial in a folder."""
+
+    def __init__(self, folder: Path, test: unittest.TestCase) -> None:
+        self.home = self.folder = folder
+        self.test = test
+
+    def follow(self, text: str) -> None:
+        """Does what each block of a part of the tutorial says."""
+        for line, language, content in BLOCK.findall(text):
+            if language == "console":
+                self.run_all(content)
+            elif name := re.search(r"\*\*(.+?)\*\*", line):
+                self.write(self.folder / name[1], content, line.startswith("Add to "))
+
+    def write(self, path: Path, content: str, is_added: bool) -> None:
+        """Writes a file, or adds to one."""
+        if is_added:
+            text = path.read_text()
+            self.test.assertEqual(len(COMMENT.findall(text)), 1, path)
+            content = COMMENT.sub(lambda comment: content + comment[0], text)
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(content)
+
+    def run_all(self, content: str) -> None:
+        """Runs commands and compares what they print."""
+        for part in re.split(r"^\$ ", content, flags=re.MULTILINE)[1:]:
+            command, _, expected = part.partition("\n")
+            if command.startswith("cd "):
+                self.folder /= command[3:]
+                continue
+            ran = subprocess.run(["bash", "-c", command], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            lines = [line for line in ran.stdout.replace(str(self.home), "/home/you").splitlines(True) if not PROGRESS.match(line)]
+            self.test.assertEqual("".join(lines), expected, command)
+
+    def results(self) -> dict:
+        """Returns the results without places and the case."""
+        text = next(self.folder.glob("build/*/generated/results.json")).read_text()
+        return json.loads(re.sub(r'"place": *"[^"]*"', '"place": ""', text))
+
+
+class Tutorial(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        temporary = tempfile.TemporaryDirectory(prefix="tutorial-")
+        cls.addClassCleanup(temporary.cleanup)
+        cls.base = Path(temporary.name).resolve()
+        subprocess.run(["cmake", "--install", os.environ["LITERATE_BUILD"] + "/src/literate", "--prefix", cls.base / "prefix"],
+                       check=True, capture_output=True)
+        os.environ["PATH"] = f"{cls.base / 'prefix' / 'bin'}:{os.environ['PATH']}"
+        os.environ |= {f"GIT_{who}_{what}": "reader@example.org" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+
+    def reader(self, home: str, *new: str) -> Reader:
+        """Returns a reader, who begins with a new paper without its pendulum if one is given."""
+        (self.base / home).mkdir()
+        reader = Reader(self.base / home, self)
+        if new:
+            reader.run_all(f"$ literate new {' '.join(new)}\n{new[-1]}: cd there and run make; README.md describes the files\n"
+                           f"$ cd {new[-1]}\n$ rm -r src/* tests cases faults.txt figures/period.gp\n")
+        return reader
+
+    def test_the_tutorial_builds_and_its_messages_are_those_that_come_in_python_as_well(self):
+        reader = self.reader("cpp")
+        reader.follow((ENGINE / "TUTORIAL.md").read_text())
+        follower = self.reader("python", "--python", "well")
+        for same in ("case.toml", "paper/well.tex", "figures/depth.gp"):
+            (follower.folder / same).write_text((reader.folder / same).read_text())
+        follower.follow(section("Python"))
+        self.assertEqual(follower.results(), reader.results())
+
+    def test_the_paper_with_a_fit_is_the_same_in_both_languages(self):
+        common, cpp, python, prose = re.split("^### ", section("A paper with a fit"), flags=re.MULTILINE)
+        readers = [self.reader("fit-cpp", "spring"), self.reader("fit-python", "--python", "spring")]
+        for reader, program in zip(readers, (cpp, python)):
+            reader.follow(common + program + prose)
+        self.assertEqual(readers[0].results(), readers[1].results())
+
+
+def section(heading: str) -> str:
+    """Returns a section of the manual."""
+    return re.search(rf"^## {heading}\n(.*?)^## ", (ENGINE / "README.md").read_text(), re.MULTILINE | re.DOTALL)[1]
+
+
+if __name__ == "__main__":
+    unittest.main()
