@@ -130,20 +130,40 @@ class Resolver {
   static constexpr int most_halvings = 8;
 
   // What is not resolved by then has a kink or a jump, down to which it is cut: QUADPACK's
-  // estimates may be too small across one. Not at the ends, where rules that extrapolate take a
-  // root better as a whole, and not if there are many, as of noise.
+  // estimates may be too small across one. Where there are many, as in noise, they are kept.
   void cut_at_kink(double begin, double end) {
-    if (begin == piece_.begin || end == piece_.end || n_kinks_ == most_kinks) {
-      return keep(begin, end);
+    if (begin == piece_.begin) return cut_towards(begin, end);
+    if (end == piece_.end) return cut_towards(end, begin);
+    cut_down(begin, end);
+  }
+
+  // At an end of the piece a root is better taken as a whole, by rules that extrapolate. A kink
+  // before it shows as the first half, of the halves that shrink towards the end, that no
+  // polynomial meets.
+  void cut_towards(double end, double far) {
+    double outer = far;
+    while (std::abs(end - outer) > shortest * length()) {
+      const double middle = end + (outer - end) / 2;
+      const double low = std::min(middle, outer);
+      const double high = std::max(middle, outer);
+      if (!is_resolved(low, high, probes_between(piece_, low, high, n_probes))) {
+        keep(std::min(outer, far), std::max(outer, far));
+        cut_down(low, high);
+        return cut_towards(end, middle);
+      }
+      outer = middle;
     }
+    keep(std::min(end, far), std::max(end, far));
+  }
+
+  void cut_down(double begin, double end) {
+    if (n_kinks_ == most_kinks) return keep(begin, end);
     ++n_kinks_;
     cut_further(begin, end);
   }
 
   void cut_further(double begin, double end) {
-    constexpr double shortest = 1e-14;  // of the piece: the rounding of a place
-    constexpr std::size_t n_probes = 16;
-    if (end - begin < shortest * (piece_.end - piece_.begin) ||
+    if (end - begin < shortest * length() ||
         is_resolved(begin, end, probes_between(piece_, begin, end, n_probes))) {
       return keep(begin, end);
     }
@@ -167,6 +187,10 @@ class Resolver {
     if (begin < end) parts_.push_back({begin, end, piece_.value});
   }
 
+  double length() const { return piece_.end - piece_.begin; }
+
+  static constexpr double shortest = 1e-14;  // of the piece: the rounding of a place
+  static constexpr std::size_t n_probes = 16;
   static constexpr int most_kinks = 8;
   const Piece& piece_;
   double tolerance_;
@@ -191,6 +215,7 @@ PiecewiseFunction resolved(const PiecewiseFunction& function) {
     const Piece& piece = function.pieces()[i];
     Resolver(piece, negligible * scale, parts).cut(piece.begin, piece.end, probes[i], 0);
   }
+  std::ranges::sort(parts, {}, &Piece::begin);
   return PiecewiseFunction(parts);
 }
 
