@@ -2,9 +2,11 @@
 # literate_add_paper(NAME name PROGRAM target|SCRIPT command… DOCUMENT folder MAIN file CASE file
 #   [FIGURES folder] [SOURCES file|folder…] [DEPENDS file…] [FAULTS file] [OUTPUT folder])
 #
-# Adds the target `name`, which writes OUTPUT/name.pdf, and `name-program`, `name-results` and `name-figures`, which stop
-# earlier. A script whose first word ends with .py runs with CMake's Python3, and depends on all SOURCES. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja decides what is out of date: a rule's outputs
-# keep their time stamps if their content is the same, and then nothing that depends on them runs.
+# Adds the target `name`, which writes OUTPUT/name.pdf and fails if a claim fails, and targets that stop earlier: `name-program`,
+# `name-results`, `name-figures`, and `name-pdf`, which does not look at the claims. A script whose first word ends with .py runs
+# with CMake's Python3 and depends on all SOURCES. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja
+# decides what is out of date: a rule keeps the time stamp of an output whose content is the same, and then nothing that depends
+# on this output runs.
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 # pyenv and the like find scripts in the place of Python, which take longer to start it than most rules take altogether.
 execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import sys; print(sys.executable)" OUTPUT_VARIABLE literate_PYTHON
@@ -136,6 +138,7 @@ function(literate_add_paper)
   add_custom_target(${name}-program DEPENDS ${computes})
   add_custom_target(${name}-results DEPENDS ${results})
   add_custom_target(${name}-figures DEPENDS ${results} ${drawings})
+  add_custom_target(${name}-pdf DEPENDS "${stamp}")
   add_custom_target(${name} ALL DEPENDS "${output}/verdict.stamp")
 endfunction()
 

@@ -58,6 +58,8 @@ class New(unittest.TestCase):
         self.assertIn("3 faults turn 2 of 2 claims", self.run_in(paper, "make", "severity"))
         self.assertIn("cup.tar.gz", self.run_in(paper, "make", "dist"))
         self.assertIn("cases.csv", self.run_in(paper, "make", "cases", "J=2"))
+        (paper / "case.toml").write_text((paper / "case.toml").read_text().replace("angle = 90", "angle = 60"))
+        self.assertIn("verdict  claim  longer: holds → fails", self.run_in(paper, "make", "changes"))
         self.assertTrue((paper / "build/cases/swing-60/cup.pdf").exists())
         self.assertLessEqual(len(self.run_in(paper, "make", "help").splitlines()), 20)
 
