@@ -25,6 +25,8 @@ install(FILES document/results.schema.json results/document.schema.json DESTINAT
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/literateConfigVersion.cmake"
   VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES "${PROJECT_BINARY_DIR}/literateConfigVersion.cmake" DESTINATION "${share}/cmake")
+install(FILES README.md TUTORIAL.md DESTINATION share/doc/literate)
+install(DIRECTORY pictures DESTINATION share/doc/literate)
 # What is not compiled: the LaTeX package, the CMake functions, the tools and the template.
 foreach(file IN ITEMS literate.sty cmake/literateConfig.cmake cmake/LiteratePaper.cmake)
   cmake_path(GET file PARENT_PATH folder)

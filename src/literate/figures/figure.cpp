@@ -135,7 +135,7 @@ void require_drawable(const Figure& figure) {
 
 std::string figure_prelude(const std::string& name, const Figure& figure) {
   return sent([&](std::ostream& script) {
-    script << "# What the program says about figure " << name << "; its script follows.\n"
+    script << "# Data of the figure " << name << ", which gnuplot reads before its script.\n"
            << "set encoding utf8\nset decimalsign '.'\nset datafile separator comma\n"
            << "width_cm = " << floating_point(figure.width_cm) << "\n"
            << "height_cm = " << floating_point(figure.height_cm) << "\n"

@@ -28,12 +28,13 @@ class TypedNumbers(unittest.TestCase):
 
     def test_a_number_of_more_than_two_digits_is_typed(self):
         for text, number in (("4.27 of it", "4.27"), ("123", "123"), ("1,234 cases", "1,234"), ("12\\,500", "12\\,500"), ("$p = 7.25$", "7.25"),
-                             ("1.23e-5", "1.23e-5"), (r"$1.23 \times 10^{4}$", r"1.23 \times 10^{4}"), ("0.0123", "0.0123")):
+                             ("1.23e-5", "1.23e-5"), (r"$1.23 \times 10^{4}$", r"1.23 \times 10^{4}"), ("0.0123", "0.0123"),
+                             ("in 1198 cases", "1198"), ("of 1998 N", "1998")):
             with self.subTest(text):
                 self.assertEqual(typed_numbers(text), [(1, number)])
 
     def test_numbers_that_are_no_results_stay(self):
-        for text in ("order 2", "40 elements", "2000 cases", "$x^2$", "$2\\Omega$", "$1/3$", "page 12", "3 in the box", "(1987)", "28 November 2026", "MEAE-4960",
+        for text in ("order 2", "40 elements", "2000 cases", "$x^2$", "$2\\Omega$", "$1/3$", "page 12", "3 in the box", "(1987)", "28 November 2026", "in 1998", "Since~1998, it", "MEAE-4960",
                      r"\cite{a}, pp. 123--145", r"\cite[p.~123]{a}", r"section 3.14 of~\cite{x}", r"eq.~(4.45) of \cite{x}", r"\ref{fig:123}", r"\val{x123}",
                      r"\vspace{2.5mm}", r"\hskip 2.55pt", r"\rule{1.5cm}{1ex}", r"\includegraphics[width=10.5cm]{a123}", r"\\[2.55mm] text", r"\verb+123+",
                      r"\begin{tabular}{p{12.5cm}}a\end{tabular}", r"\begin{minipage}{0.455\linewidth}a\end{minipage}", r"\[ x = 0.125 y \]",

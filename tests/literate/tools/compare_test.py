@@ -31,9 +31,9 @@ class Compare(unittest.TestCase):
             (number(1, 0.1), number(1.15, 0.1), "within"), (number(1, 0.1), number(1.25, 0.1), "beyond"),
             (number(1, 0.1), number(1, 0.1), None), (number(1, 0.1), number(1, 0.2), None),
             (number(1, standard=0.1), number(1.19), "within"), (number(1, standard=0.1), number(1.21), "beyond"),
-            (number(1), number(1.001), "beyond"), (number(1, 0.1, unit="m"), number(1, 0.1, unit="mm"), "beyond"),
+            (number(1), number(1.001), "beyond"), (number(1, 0.1, unit="m"), number(1, 0.1, unit="mm"), "changed"),
             (number(1, 0.1, printed="1.0"), number(1, 0.1, printed="1.00"), "within"),
-            ({"text": "a", "printed": "a"}, {"text": "b", "printed": "b"}, "beyond"),
+            ({"text": "a", "printed": "a"}, {"text": "b", "printed": "b"}, "changed"),
         ]
         for before, after, change in cases:
             with self.subTest(before=before, after=after):
@@ -53,7 +53,7 @@ class Compare(unittest.TestCase):
         self.assertEqual({(one.change, one.name, one.before, one.after) for one in compare(old, new)}, {
             ("new", "new", "", "2"), ("gone", "gone", "1", ""), ("verdict", "f", "True", "False"), ("verdict", "c", "holds", "fails"),
             ("limit", "d: c", "≤ 1", "≤ 2"), ("verdict", "k", "True", "False"), ("beyond", "t: row 1, h", "1", "3"),
-            ("beyond", "t: row 2, h", "", "x"), ("beyond", "s", "1 rows of h", "2 rows of h")})
+            ("changed", "t: row 2, h", "", "x"), ("changed", "s", "1 rows of h", "2 rows of h")})
 
     def test_values_and_flags_are_expanded_as_a_state_prints_them(self):
         text = r"It \ifflag{a}{is \val{x} \ifflag{b}{and}{or \val{x}}}{is \{not\}} \val[2]{x} % \val{x}"
@@ -74,7 +74,7 @@ class Changes(PaperTest):
         values = ["verdict  flag   big: True → False   paper/small.tex:8",
                   "beyond   value  x: 1.50 m → 0.500 m   paper/small.tex:8, paper/small.tex:10",
                   "beyond   table  lengths: row 1, length: 1.50 → 0.50   paper/small.tex:10"]
-        data = ["beyond   figure line: points: data → different data   paper/small.tex:11"]
+        data = ["changed  figure line: its data changed   paper/small.tex:11"]
         code, said = self.paper.literate("changes", str(self.paper.settings), "old.json")
         self.assertEqual((code, said.splitlines()), (0, values))
         for _ in range(2):  # the second time the commit is not computed again
@@ -113,7 +113,7 @@ class Verify(PaperTest):
         code, said = self.paper.literate("verify", str(self.paper.settings))
         self.assertEqual(code, 1, said)
         self.assertIn("small.pdf: different bytes", said)
-        self.assertIn("beyond values title:", said)
+        self.assertIn("changed values title:", said)
 
     def test_a_state_that_is_no_commit_is_refused(self):
         self.make()

@@ -14,8 +14,10 @@ from pathlib import Path
 
 from literate_tools.common import parser, tool
 
+# The last line is what CMake prints when it runs again because a file is new. Its errors begin differently.
 NOISE = re.compile(r"ninja: (build stopped|Entering directory|no work to do)"
-                   r"|\[\d+/\d+\] (Re-checking globbed|look up the commit)")
+                   r"|\[\d+/\d+\] (Re-checking globbed|look up the commit)"
+                   r"|-- (GLOB mismatch!|Configuring done|Generating done|Build files have been written to)")
 
 
 def run(arguments: list[str]) -> int:

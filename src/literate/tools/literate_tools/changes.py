@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares the results of a paper that is built with former ones: those of a commit, which is computed again in a clone, or
-those in a results.json or a manifest. Lists what is new, gone, moved beyond or within the sum of both errors, and each verdict,
-flag or limit that is different, with the places in the prose that print it: those to read again. The list is written to
-changes.csv beside the PDF as well.
+those in a results.json or a manifest. Lists numbers that moved beyond or within the sum of both errors, verdicts, flags, limits,
+texts and data of figures that changed, and what is new or gone, with the places in the prose that print it: those to read again.
+The list is written to changes.csv beside the PDF as well.
 
 examples:
   literate changes build/mypaper.json v1.0
@@ -22,12 +22,12 @@ from literate_tools.common import Failure, configure, git, parser, quiet_run, wr
 from literate_tools.settings import Settings, read_results, read_settings
 from literate_tools.uses import NAMED, read_uses
 
-ORDER = ("verdict", "beyond", "new", "gone", "limit", "within")
+ORDER = ("verdict", "beyond", "changed", "new", "gone", "limit", "within")
 
 
 @dataclass(frozen=True)
 class Change:
-    """One difference; before or after is empty for what is new or gone."""
+    """One difference. `before` is empty for what is new and for data, `after` for what is gone."""
 
     change: str  # one of ORDER
     part: str  # values, flags, tables, figures, checks, claims
@@ -110,10 +110,10 @@ def error(number: dict) -> float:
 
 
 def moved(before: dict, after: dict) -> str:
-    """Returns 'beyond' or 'within' for two numbers or texts that differ, and '' for equal ones."""
+    """Returns 'beyond' or 'within' for two numbers that differ, 'changed' for texts and units, and '' for equal ones."""
     if "number" not in before or "number" not in after or before.get("unit") != after.get("unit"):
         keys = ("number", "unit", "text", "latex")
-        return "" if all(before.get(key) == after.get(key) for key in keys) else "beyond"
+        return "" if all(before.get(key) == after.get(key) for key in keys) else "changed"
     difference = abs(before["number"] - after["number"])
     if difference > error(before) + error(after):
         return "beyond"
@@ -143,7 +143,7 @@ def compare_table(part: str, name: str, before: dict, after: dict) -> list[Chang
     headings = [[column["heading"] for column in table["columns"]] for table in (before, after)]
     if len(before["rows"]) != len(after["rows"]) or headings[0] != headings[1]:
         shapes = [f"{len(table['rows'])} rows of {', '.join(heading)}" for table, heading in zip((before, after), headings)]
-        return [Change("beyond", part, name, *shapes)]
+        return [Change("changed", part, name, *shapes)]
     changes = []
     for row, (old_row, new_row) in enumerate(zip(before["rows"], after["rows"]), 1):
         for heading, old, new in zip(headings[0], old_row, new_row):
@@ -155,9 +155,9 @@ def compare_table(part: str, name: str, before: dict, after: dict) -> list[Chang
 
 
 def compare_figure(part: str, name: str, before: dict, after: dict) -> list[Change]:
-    """Compares the sizes, numbers, texts and columns of two figures."""
+    """Compares the sizes, numbers, texts and columns of two figures, which have no errors."""
     keys = [key for key in ("width_cm", "height_cm", "numbers", "texts", "data") if before[key] != after[key]]
-    return [Change("beyond", part, f"{name}: {key}", str(before[key]), str(after[key])) for key in keys]
+    return [Change("changed", part, f"{name}: {key}", str(before[key]), str(after[key])) for key in keys]
 
 
 COMPARE = {"values": compare_value, "flags": compare_verdict, "tables": compare_table, "figures": compare_figure,
@@ -165,10 +165,10 @@ COMPARE = {"values": compare_value, "flags": compare_verdict, "tables": compare_
 
 
 def changed_data(former: Path, generated: Path) -> list[Change]:
-    """Returns the data of figures that differ, where both folders have them."""
-    return [Change("beyond", "figures", f"{new.parent.name}: {new.stem}", "data", "different data")
-            for new in sorted(generated.glob("figures/*/*.csv"))
-            if (old := former / new.relative_to(generated)).exists() and old.read_bytes() != new.read_bytes()]
+    """Returns the figures whose data differ, where both folders have them. The data have no errors, so that it may be by rounding."""
+    changed = {new.parent.name for new in generated.glob("figures/*/*.csv")
+               if (old := former / new.relative_to(generated)).exists() and old.read_bytes() != new.read_bytes()}
+    return [Change("changed", "figures", name, "", "its data changed") for name in sorted(changed)]
 
 
 def show(settings: Settings, changes: list[Change]) -> None:

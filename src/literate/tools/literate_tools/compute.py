@@ -32,11 +32,14 @@ def write_inputs(folder: Path) -> None:
 def compute(settings: Settings, case: Path, folder: Path) -> int:
     """Computes one case into a folder. Returns 1 if the folder is complete and a check or claim in it failed."""
     folder.mkdir(parents=True, exist_ok=True)
+    named = settings.shown(case)  # so is the case in the program's messages
     if not settings.script:
-        return finish(call([*settings.program, "compute", str(case), str(folder)], settings), folder)
+        return finish(call([*settings.program, "compute", named, str(folder)], settings), folder)
     registered = folder.parent / "registered.json"
     registered.unlink(missing_ok=True)
-    code = call([*settings.script, str(case), str(registered)], settings)
+    code = call([*settings.script, named, str(registered)], settings)
+    if code == 2:  # bad input, for which the script printed a line
+        sys.exit(2)
     if code:
         raise Failure(f"{script_name(settings)} ended with {ending(code)}", 3)
     if not registered.exists():

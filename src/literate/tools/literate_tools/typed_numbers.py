@@ -118,12 +118,15 @@ def unit_follows(prose: str, at: int, end: int, formula_end: int | None, in_disp
 
 
 def is_reference(prose: str, at: int, end: int, number: str, has_unit: bool) -> bool:
-    """Returns whether a number is a year, in parentheses, behind a month or beside a citation, or a place in a source."""
+    """Returns whether a number is a year (in parentheses, after a month or a word such as «in», beside a citation) or a place in a
+    source."""
     before, after = prose[max(at - 160, 0):at], prose[end:end + 160]
     if re.fullmatch(r"(1[5-9]|20)\d\d", number):
         if before.endswith("(") and after.startswith(")"):
             return True
         if re.search(rf"(?:{MONTH})[\s~]*$", before) or re.match(rf"[\s~]*{CITE}", after):
+            return True
+        if not has_unit and re.search(r"\b(?:in|of|since|until|by|from|before|after)[\s~]+$", before, re.IGNORECASE):
             return True
     if has_unit:
         return False

@@ -15,7 +15,7 @@ def run(arguments: list[str]) -> int:
         warn(line)
     if failed:
         what = "check or claim" if len(failed) == 1 else "checks or claims"
-        warn(f"{settings.pdf}: not to be trusted, {len(failed)} {what} failed")
+        warn(f"{settings.shown(settings.pdf)}: not to be trusted, {len(failed)} {what} failed")
         return 1
     Path(arguments[1]).touch()
     return 0
