@@ -64,8 +64,8 @@ double error_of(const Value& quantity, const Limit& limit) {
   const auto& n_counted = limit.n_counted();
   if (!n_counted) {
     throw std::invalid_argument(
-        fmt::format("{} has a standard uncertainty of {}: say how many of them the limit counts, "
-                    "as in Limit(...).counting(2)",
+        fmt::format("{} has a standard uncertainty of {}: the limit must state how many of them "
+                    "count, such as counting 2",
                     quantity.printed(), round_trip(number.standard)));
   }
   return add_up(number.bound, multiply_up(*n_counted, number.standard));
@@ -137,7 +137,7 @@ Verdict verdict_named(std::string_view name) {
     return static_cast<Verdict>(found - names_of_verdicts.begin());
   }
   throw std::invalid_argument(
-      fmt::format("'{}' is no verdict: holds, holds in part, fails or undecided", name));
+      fmt::format("'{}' is not a verdict: holds, holds in part, fails or undecided", name));
 }
 
 std::string Margin::text() const {

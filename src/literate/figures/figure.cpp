@@ -29,7 +29,7 @@ void require_identifier(const std::string& name) {
       std::ranges::all_of(name, [](char c) { return sys::is_alphanumeric(c) || c == '_'; });
   if (is_identifier) return;
   throw std::invalid_argument(fmt::format(
-      "'{}' is no name of a variable of gnuplot: letters, digits and '_', no digit first", name));
+      "'{}' cannot be a gnuplot variable: use letters, digits and '_', and no digit first", name));
 }
 
 // Only the bits of a NaN distinguish a gap from the NaN of a computation.

@@ -3,7 +3,7 @@
 
     import literate
 
-    def compute(document: literate.Document, case: dict) -> None:
+    def compute(document: literate.Document, case: literate.Case) -> None:
         document.value("period", 2.0064, error=3e-4, unit="s", digits=4)
 
     literate.run(compute)
@@ -18,12 +18,30 @@ import math
 import os
 import sys
 import tomllib
+import traceback
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NoReturn
 
-__all__ = ["Document", "agrees", "agrees_relatively", "at_least", "at_most", "column", "in_each", "latex", "limit", "number",
+__all__ = ["Case", "Document", "Error", "agrees", "agrees_relatively", "at_least", "at_most", "column", "in_each", "latex", "limit", "number",
            "quoted", "run"]
 Json = dict[str, Any]
+
+
+class Error(ValueError):
+    """A mistake in what a script registers or in its case. run() prints it in one line, with the line of the script."""
+
+
+class Case(dict):
+    """The parameters. A key that is missing is an Error that names the nearest one. A script that takes each key with pop()
+    can refuse what is left."""
+
+    def __missing__(self, key: str) -> Any:
+        from difflib import get_close_matches
+        nearest = get_close_matches(key, self, n=1)
+        raise Error(f"the case has no key '{key}'" + (f", did you mean '{nearest[0]}'?" if nearest else ""))
+
+    def pop(self, key: str, *default: Any) -> Any:
+        return super().pop(key, *default) if default or key in self else self[key]
 
 
 def _plain(value: Any) -> Any:
@@ -45,7 +63,7 @@ def _format(digits: int | None, decimals: int | None, percent: int | None, scien
     given = {"significant": digits, "fixed": decimals, "percent": percent, "scientific": scientific}
     formats = [f"{name}({count})" for name, count in given.items() if count is not None] + ([format] if format else [])
     if len(formats) > 1:
-        raise ValueError(f"{' and '.join(formats)}: give one format")
+        raise Error(f"{' and '.join(formats)}: give one format")
     return formats[0] if formats else None
 
 
@@ -61,7 +79,7 @@ def number(value: Any, *, error: float | None = None, standard: float | None = N
     """
     value = _plain(value)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise ValueError(f"{value!r} is no finite number")
+        raise Error(f"{value!r} is not a finite number")
     chosen = _format(digits, decimals, percent, scientific, format)
     result: Json = {"number": value, "bound": _plain(error), "standard": _plain(standard), "unit": unit or None,
                     "format": chosen or ("integer()" if isinstance(value, int) else None), "as_is": as_is or None}
@@ -133,7 +151,7 @@ class Document:
         """Registers a number for `\\val{key}`, with the arguments of number(), or a text."""
         entry = {"text": value} if isinstance(value, str) else number(value, **how)
         if "number" in entry and "format" not in entry:
-            raise ValueError(f"value '{key}' needs a format: digits=, decimals=, percent=, scientific= or format=")
+            raise Error(f"value '{key}' needs a format: digits=, decimals=, percent=, scientific= or format=")
         self._add("values", key, entry)
 
     def flag(self, key: str, value: Any) -> None:
@@ -172,18 +190,39 @@ class Document:
 
     def _add(self, part: str, key: str, entry: Json) -> None:
         if key in self._parts[part]:
-            raise ValueError(f"'{key}' is registered already, at {self._parts[part][key]['place']}")
+            raise Error(f"'{key}' is registered twice, first at {self._parts[part][key]['place']}")
         frame = sys._getframe(2)
         entry["place"] = f"{os.path.relpath(frame.f_code.co_filename)}:{frame.f_lineno}"
         self._parts[part][key] = entry
 
 
-def run(compute: Callable[[Document, dict[str, Any]], None]) -> None:
-    """Reads the case (TOML or JSON) that the first argument names, computes, and writes the second argument."""
+def run(compute: Callable[[Document, Case], None]) -> None:
+    """Reads the case (TOML or JSON) that the first argument names, computes, and writes the second argument. An Error ends the
+    script with 2, after one line «script.py:12: message»."""
     if len(sys.argv) != 3:
         sys.exit(f"usage: {sys.argv[0]} CASE FILE.json")
-    with open(sys.argv[1], "rb") as file:
-        case = json.load(file) if sys.argv[1].endswith(".json") else tomllib.load(file)
+    name, output = sys.argv[1:]
     document = Document()
-    compute(document, case)
-    document.write(sys.argv[2])
+    try:
+        with open(name, encoding="utf-8") as file:
+            case = (json if name.endswith(".json") else tomllib).loads(file.read())
+    except ValueError as error:  # of either reader
+        _refuse(f"{name}: {error}")
+    try:
+        compute(document, _case(case))
+    except Error as error:
+        line = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename != __file__][-1]
+        _refuse(f"{os.path.relpath(line.filename)}:{line.lineno}: {error}")
+    document.write(output)
+
+
+def _case(value: Any) -> Any:
+    """Makes each table of a case a Case."""
+    if isinstance(value, list):
+        return [_case(one) for one in value]
+    return Case({key: _case(one) for key, one in value.items()}) if isinstance(value, dict) else value
+
+
+def _refuse(message: str) -> NoReturn:
+    print(message, file=sys.stderr)
+    sys.exit(2)

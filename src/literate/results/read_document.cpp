@@ -137,7 +137,7 @@ LimitKind kind_of(const StrictJson& json) {
        {LimitKind::theory, LimitKind::data, LimitKind::method, LimitKind::choice}) {
     if (name == name_of(kind)) return kind;
   }
-  json.fail(fmt::format("'{}' is no kind of limit: theory, data, method or choice", name));
+  json.fail(fmt::format("'{}' is not a kind of limit: theory, data, method or choice", name));
 }
 
 Limit limit_of(const StrictJson& json) {
@@ -173,7 +173,7 @@ Criterion criterion_of(const StrictJson& json, const Place& place) {
                             : Criterion::agrees_relatively(name, quantity, stated, limit, place);
   }
   json["test"].fail(fmt::format(
-      "'{}' is no test: at_most, at_least, agrees, agrees_relatively or in_each", test));
+      "'{}' is not a test: at_most, at_least, agrees, agrees_relatively or in_each", test));
 }
 
 std::vector<Criterion> criteria_of(const StrictJson& json, const Place& place) {

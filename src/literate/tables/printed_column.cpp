@@ -103,7 +103,7 @@ void require_printable(const Column& column, const Cell& cell) {
   if (!std::isfinite(*cell.number())) throw std::invalid_argument(digits + " is not finite");
   if (!cell.known() && !cell.place() && !column.is_exact()) {
     throw std::invalid_argument(
-        digits + " comes without its error: give an Estimate, or declare the column .exact()");
+        digits + " has no error: give its bound or standard uncertainty, or declare the column exact");
   }
   (void)rounded_in(*column.numbers(), column.is_exact(), cell, column.exponent());
 }

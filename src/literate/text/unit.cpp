@@ -173,7 +173,7 @@ std::vector<Factor> factors_of(std::string_view unit) {
     if (std::ranges::none_of(factors, is_number)) return factors;
   }
   throw std::invalid_argument(
-      fmt::format("'{}' is no unit that UDUNITS-2 knows; units are spelt as lbf/in, m s-1, "
+      fmt::format("'{}' is not a unit that UDUNITS-2 knows; units are spelt as lbf/in, m s-1, "
                   "W/(m2.K), um, degC or %",
                   unit));
 }

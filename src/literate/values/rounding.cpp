@@ -71,7 +71,7 @@ void require_printable(const Format& format, double value, const std::optional<N
   }
   if (number && number->standard > 0) {
     throw std::invalid_argument(fmt::format(
-        "{} has a standard uncertainty of {}, which is no bound that could be rounded up",
+        "{} has a standard uncertainty of {}, which is not a bound that could be rounded up",
         round_trip(value), round_trip(number->standard)));
   }
 }

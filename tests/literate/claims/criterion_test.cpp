@@ -149,11 +149,11 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_decided_is_refused_with_the_line_of_code) {
   };
   BOOST_TEST(holds(at_most(Value(1.5, fixed(1)), limit), "criterion_test.cpp:"));
   BOOST_TEST(
-      holds(at_most(Value(1.5, fixed(1)), limit), ": criterion 'x': 1.5 comes without its error"));
+      holds(at_most(Value(1.5, fixed(1)), limit), ": criterion 'x': 1.5 has no error"));
   BOOST_TEST(holds(at_most(Value::text("x"), limit), "it tests a number, not a text"));
   BOOST_TEST(holds(at_most(Value(std::nan(""), exact()), limit), "nan is not finite"));
   BOOST_TEST(holds(at_most(scattered, limit),
-                   "1.50(10) m has a standard uncertainty of 0.1: say how many of them"));
+                   "1.50(10) m has a standard uncertainty of 0.1: the limit must state how many"));
   BOOST_TEST(holds(at_most(number, {1, LimitKind::data, ""}), "a limit needs a reason"));
   BOOST_TEST(holds(at_most(number, {std::nan(""), LimitKind::data, "x"}), "is not finite"));
   BOOST_TEST(holds(at_most(number, {{1, -1}, LimitKind::data, "x"}), "below zero"));

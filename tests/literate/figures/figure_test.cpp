@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(what_no_script_could_read_is_refused) {
   BOOST_TEST(holds(with({{"x", {1}}, {"x", {1}}}), "two columns 'x'"));
   BOOST_TEST(holds(with({{"x", {1, 2}}, {"y", {1}}}), "2 points in column 'x' and 1 in 'y'"));
   BOOST_TEST(holds(with({{"x", {1, std::sqrt(-1.0)}}}), "nan as point 2 of column 'x'"));
-  BOOST_TEST(holds(with({{"1x", {1}}}), "'1x' is no name of a variable"));
+  BOOST_TEST(holds(with({{"1x", {1}}}), "'1x' cannot be a gnuplot variable"));
   BOOST_TEST(holds(with(FigureData({{"x", {1, 2, 3}}}, 2)), "do not make rows of 2"));
   Figure twice{.width_cm = 1, .height_cm = 1, .numbers = {{"a", 1}}, .texts = {{"a", "x"}}};
   BOOST_TEST(holds(refused(twice), "the name 'a' is given twice"));

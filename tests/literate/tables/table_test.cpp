@@ -126,14 +126,14 @@ BOOST_AUTO_TEST_CASE(what_a_table_cannot_print_is_refused_with_the_line_of_code)
   };
   BOOST_TEST(holds(refused({1}), "table_test.cpp:"));
   BOOST_TEST(holds(refused({1}), ": table 't', row 1: 1 cells for 2 columns"));
-  BOOST_TEST(holds(refused({0.5, "x"}), "column 1 'u': 0.5 comes without its error"));
+  BOOST_TEST(holds(refused({0.5, "x"}), "column 1 'u': 0.5 has no error"));
   BOOST_TEST(holds(refused({Estimate{HUGE_VAL, 1}, "x"}), "column 1 'u': inf is not finite"));
   BOOST_TEST(holds(refused({Number(1, -1), "x"}), "the bound -1 is not finite or below zero"));
   BOOST_TEST(holds(refused({1, 2}), "column 2 'method': 2 is a number in a column of texts"));
   BOOST_TEST(holds(refused({1, Cell::latex("{")}), "the braces of '{' do not match"));
   BOOST_TEST(holds(refused({1, "\xff"}), "is not UTF-8"));
   const auto column = [](auto&& make) { return message_of<literate::Error>(make); };
-  BOOST_TEST(holds(column([] { Column("u", fixed(1), "{ }"); }), "column 'u': '{ }' is no unit"));
+  BOOST_TEST(holds(column([] { Column("u", fixed(1), "{ }"); }), "column 'u': '{ }' is not a unit"));
   BOOST_TEST(holds(column([] { Column("u", percent(1), "m"); }), "a percentage has no other unit"));
   BOOST_TEST(holds(column([] { Column("u", exact()).scaled(2); }), "only fixed() numbers"));
   BOOST_TEST(holds(column([] { Table("t", {}); }), "table 't' has no column"));

@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(what_udunits_does_not_know_is_refused) {
   for (const char* unit : {"{ }", "furlongs per fortnite", "m/", "10 m", "m^", "\\mu m", "50%"}) {
     const std::string message =
         message_of<std::invalid_argument>([=] { literate::plain_unit(unit); });
-    BOOST_TEST(holds(message, std::string("'") + unit + "' is no unit that UDUNITS-2 knows"));
+    BOOST_TEST(holds(message, std::string("'") + unit + "' is not a unit that UDUNITS-2 knows"));
   }
 }
 

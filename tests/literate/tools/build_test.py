@@ -29,6 +29,16 @@ class Rules(PaperTest):
                 self.assertEqual(sorted(rules_in(self.make())), rules)
         self.assertEqual(paper.pdf.read_bytes(), paper.clean_pdf())
 
+    def test_of_cmake_which_runs_again_after_a_new_script_only_errors_are_printed(self):
+        self.make()
+        self.paper.write("figures/new.gp", "plot 1\n")
+        code, said = self.paper.literate("build", "small")
+        self.assertEqual((code, [line for line in said.splitlines() if not line.startswith("[")]), (0, []))
+        self.paper.replace("CMakeLists.txt", "NAME small", "NAME small WHAT")
+        code, said = self.paper.literate("build", "small")
+        self.assertEqual(code, 1)
+        self.assertIn("literate_add_paper: unknown arguments: WHAT", " ".join(said.split()))
+
     def test_a_commit_typesets_again_only_what_prints_it_differently(self):
         self.make()
         self.paper.commit()
@@ -129,17 +139,17 @@ class Failures(PaperTest):
         self.make()
         results = self.paper.output / "generated" / "results.json"
         right = results.read_text()
-        for what, text, message in [("half", right[:100], "only half of it"), ("foreign", '{"a": 1}', "no results of a paper"),
-                                    ("a list", "[]", "no results of a paper"),
+        for what, text, message in [("half", right[:100], "only half of it"), ("foreign", '{"a": 1}', "not the results of a paper"),
+                                    ("a list", "[]", "not the results of a paper"),
                                     ("of another version", right.replace('"schema": 1', '"schema": 2'), "schema 2, but this engine reads schema 1"),
-                                    ("incomplete", '{"schema": 1, "values": {}}', "no complete results")]:
+                                    ("incomplete", '{"schema": 1, "values": {}}', "these results are incomplete")]:
             with self.subTest(what):
                 results.write_text(text)
                 code, said = self.paper.literate("changes", str(self.paper.settings), str(results))
                 self.assertEqual((code, said.count("\n")), (2, 1), said)
                 self.assertIn(message, said)
         for arguments, message in [(["check", "none.json"], "there is no such file"), (["chek"], "did you mean 'check'"),
-                                   (["check", str(self.paper.folder / "case.toml")], "no settings of a paper")]:
+                                   (["check", str(self.paper.folder / "case.toml")], "not the settings of a paper")]:
             code, said = self.paper.literate(*arguments)
             self.assertEqual(code, 2)
             self.assertIn(message, said)

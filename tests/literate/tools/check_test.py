@@ -69,8 +69,8 @@ class Check(PaperTest):
         self.paper.replace("paper/sections/more.tex", "More", "In 25~mL, more")
         self.paper.replace("figures/line.gp", "plot", "set title 'of 1.234'\nplot")
         self.assertEqual(self.check(), (1, [
-            "paper/sections/more.tex:1: 25 is typed: register it, or, if it is no result, end the line with '% constant: reason'",
-            "figures/line.gp:1: 1.234 is typed: register it, or, if it is no result, end the line with '# constant: reason'",
+            "paper/sections/more.tex:1: 25 is typed: register it, or end the line with '% constant: reason' if it is not a result",
+            "figures/line.gp:1: 1.234 is typed: register it, or end the line with '# constant: reason' if it is not a result",
             "paper/small.tex:8: unknown value 'shaer', did you mean 'share'?",
             "compute.py:8: value 'left' is printed nowhere",
             "compute.py:13: claim 'short' has no \\statement"]))

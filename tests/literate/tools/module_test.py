@@ -103,8 +103,8 @@ class Module(unittest.TestCase):
     def test_mistakes_have_the_line_of_the_script(self):
         line = '    document.value("count", 12)\n'
         for what, mistake, message in [
-                ("not finite", 'document.value("x", float("nan"), digits=3)', "nan is no finite number"),
-                ("twice", 'document.value("length", 1)', "'length' is registered already, at fit.py:5"),
+                ("not finite", 'document.value("x", float("nan"), digits=3)', "nan is not a finite number"),
+                ("twice", 'document.value("length", 1)', "'length' is registered twice, first at fit.py:5"),
                 ("two formats", 'document.value("x", 1.5, error=1, digits=2, percent=1)', "significant(2) and percent(1): give one format"),
                 ("no error", 'document.value("x", 1.5, digits=2)', "fit.py:6"), ("no format", 'document.value("x", 1.5, error=0.1)', "value 'x' needs a format: digits="),
                 ("a unit", 'document.value("x", 1.5, error=0.1, digits=2, unit="mm m {}")', "fit.py:6"),
@@ -113,8 +113,23 @@ class Module(unittest.TestCase):
                 code, said = self.run_script(EVERYTHING.replace(line, f"    {mistake}\n"))
                 self.assertNotEqual(code, 0)
                 self.assertIn(message, said)
-                if "Traceback" in said:
-                    self.assertIn('fit.py", line 6', said)
+                self.assertRegex(said, r"^fit.py:6: .*\n$")
+
+    def test_a_mistake_in_the_case_is_one_line(self):
+        script = """import literate
+
+def compute(document, case):
+    document.value("x", case["solver"].pop("steps"))
+    if case["solver"]:
+        raise literate.Error("unknown key")
+
+literate.run(compute)
+"""
+        for case, message in [("[solver]\nsteps = 1\n", None), ("[solver]\nstep = 1\n", "fit.py:4: the case has no key 'steps', did you mean 'step'?"),
+                              ("", "fit.py:4: the case has no key 'solver'"), ("[solver]\nsteps = 1\nx = 1\n", "fit.py:6: unknown key"),
+                              ("[solver]\nsteps = = 1\n", "case.toml: Invalid value (at line 2, column 9)")]:
+            with self.subTest(case):
+                self.assertEqual(self.run_script(script, case), (2, f"{message}\n") if message else (0, ""))
 
     def test_json_that_is_none_of_it_is_refused_in_one_line(self):
         right = '{"schema": 1, "values": {"x": {"number": 1, "format": "integer()"}}}'

@@ -19,7 +19,7 @@ from paper import ENGINE
 
 BLOCK = re.compile(r"^([^\n]*)\n```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMENT = re.compile(r"^.*Table, figure and claim come here\.\n", re.MULTILINE)
-PROGRESS = re.compile(r"\[\d+/\d+\] |-- |make: \*\*\* ")  # a terminal does not keep it; CMake's; how make ends
+PROGRESS = re.compile(r"\[\d+/\d+\] |make: \*\*\* ")  # a terminal does not keep it; how make ends
 
 
 class Reader:

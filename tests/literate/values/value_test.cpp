@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_told_where_the_value_is_used) {
   BOOST_TEST(problem_of({{1, -0.1}, fixed(1)}) == "the bound -0.1 is not finite or below zero");
   BOOST_TEST(problem_of({{1, 0, infinite}, uncertain()}) ==
              "the standard uncertainty inf is not finite or below zero");
-  BOOST_TEST(holds(problem_of({2.9, fixed(1)}), "2.9 comes without its error"));
+  BOOST_TEST(holds(problem_of({2.9, fixed(1)}), "2.9 has no error"));
   BOOST_TEST(problem_of({2.5, integer()}) == "2.5 is not a whole number");
   BOOST_TEST(problem_of({{2, 0.1}, integer()}) ==
              "2 has an error and cannot be printed as integer()");
@@ -112,11 +112,11 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_told_where_the_value_is_used) {
              "2.5 has no error, which uncertain() prints");
   BOOST_TEST(problem_of({{1, 0.1}, significant(0)}) == "0 significant digits: there are 1 to 17");
   BOOST_TEST(problem_of({{1, 0.1}, fixed(-1)}) == "-1 decimals: there are 0 to 100");
-  BOOST_TEST(holds(problem_of({1, exact(), "{ }"}), "'{ }' is no unit"));
+  BOOST_TEST(holds(problem_of({1, exact(), "{ }"}), "'{ }' is not a unit"));
   BOOST_TEST(problem_of({{0.1, 0.01}, percent(1), "m"}) ==
              "a percentage has no other unit, such as m");
   BOOST_TEST(holds(problem_of({{-3, 1}, fixed(1).rounded_up()}), "-2 is negative"));
-  BOOST_TEST(holds(problem_of({{3, 0, 1}, fixed(1).rounded_up()}), "which is no bound"));
+  BOOST_TEST(holds(problem_of({{3, 0, 1}, fixed(1).rounded_up()}), "which is not a bound"));
   BOOST_TEST(problem_of({3, exact().rounded_up()}) == "exact() cannot round up");
   BOOST_TEST(holds(problem_of(Value(1, fixed(1)).within(0)), "within(0)"));
   BOOST_TEST(holds(problem_of(Value(1, exact()).within(0.1)), "its error is known already"));

@@ -14,10 +14,8 @@ from pathlib import Path
 
 from literate_tools.common import parser, tool
 
-# The last line is what CMake prints when it runs again because a file is new. Its errors begin differently.
 NOISE = re.compile(r"ninja: (build stopped|Entering directory|no work to do)"
-                   r"|\[\d+/\d+\] (Re-checking globbed|look up the commit)"
-                   r"|-- (GLOB mismatch!|Configuring done|Generating done|Build files have been written to)")
+                   r"|\[\d+/\d+\] (Re-checking globbed|look up the commit)")
 
 
 def run(arguments: list[str]) -> int:
@@ -26,11 +24,16 @@ def run(arguments: list[str]) -> int:
     arguments_of.add_argument("targets", nargs="*", help="what to build (everything)")
     arguments_of.add_argument("--folder", type=Path, default=Path("build"), help="CMake's folder (build)")
     given = arguments_of.parse_args(arguments)
+    ninja = [tool("ninja", "ninja-build"), "-C", str(given.folder)]
+    # CMake runs again if a script is new or a CMakeLists.txt changed. Only its errors matter.
+    cmake = subprocess.run([*ninja, "build.ninja"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    if cmake.returncode:
+        show(cmake.stdout.splitlines(), on_terminal=False)
+        return cmake.returncode
     # Rules that print while they run, such as long computations, write to standard error.
-    command = [tool("ninja", "ninja-build"), "-C", str(given.folder), *given.targets]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, errors="replace") as ninja:
-        show(ninja.stdout, sys.stdout.isatty())
-    return ninja.returncode
+    with subprocess.Popen([*ninja, *given.targets], stdout=subprocess.PIPE, text=True, errors="replace") as running:
+        show(running.stdout, sys.stdout.isatty())
+    return running.returncode
 
 
 def show(lines, on_terminal: bool) -> None:

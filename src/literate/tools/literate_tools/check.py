@@ -43,8 +43,8 @@ def typed(settings: Settings, texts: dict[Path, str]) -> list[str]:
     """Returns the numbers that are typed into the prose and into the scripts of the figures."""
     found = [(path, "%", line, number) for path in texts for line, number in typed_numbers(path.read_text(errors="replace"))]
     found += [(path, "#", line, number) for path in settings.scripts for line, number in typed_in_script(path.read_text())]
-    return [f"{settings.shown(path)}:{line}: {number} is typed: register it, or, if it is no result, end the line with "
-            f"'{sign} constant: reason'" for path, sign, line, number in found]
+    return [f"{settings.shown(path)}:{line}: {number} is typed: register it, or end the line with "
+            f"'{sign} constant: reason' if it is not a result" for path, sign, line, number in found]
 
 
 def unknown(settings: Settings, results: dict, texts: dict[Path, str]) -> list[str]:

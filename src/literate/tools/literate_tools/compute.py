@@ -69,7 +69,7 @@ def call(command: list[str], settings: Settings) -> int:
     except FileNotFoundError:
         raise Failure(f"{command[0]}: there is no such program", 3) from None
     except PermissionError:
-        raise Failure(f"{command[0]}: this is no program that can be run", 3) from None
+        raise Failure(f"{command[0]}: this is not a program that can be run", 3) from None
 
 
 def wait(running: subprocess.Popen, is_script: bool) -> int:

@@ -65,7 +65,7 @@ def read_settings(file: str | Path) -> Settings:
     except FileNotFoundError:
         raise Failure(f"{path}: there is no such file; build the paper first") from None
     except (ValueError, TypeError, KeyError):
-        raise Failure(f"{path}: these are no settings of a paper") from None
+        raise Failure(f"{path}: these are not the settings of a paper") from None
 
 
 def only_paper() -> Path:
@@ -88,9 +88,9 @@ def read_results(file: Path, text: str | None = None) -> dict:
     if isinstance(results, dict) and isinstance(results.get("results"), dict):
         results = results["results"]
     if not isinstance(results, dict) or "schema" not in results:
-        raise Failure(f"{file}: these are no results of a paper")
+        raise Failure(f"{file}: these are not the results of a paper")
     if results["schema"] != SCHEMA:
         raise Failure(f"{file}: schema {results['schema']}, but this engine reads schema {SCHEMA}")
     if not all(isinstance(results.get(part), dict) for part in PARTS) or not isinstance(results.get("failed"), list):
-        raise Failure(f"{file}: these are no complete results of a paper")
+        raise Failure(f"{file}: these results are incomplete")
     return results
