@@ -134,6 +134,14 @@ class Failures(PaperTest):
         self.assertIn("paper/sections/more.tex:1: undefined reference 'tab:none'", said)
         self.assertIn("paper/sections/more.tex:1: undefined citation 'nobody'", said)
         self.assertRegex(said, r"paper/sections/more.tex:1: a line is [\d.]+pt too wide")
+        self.paper.replace("compute.py", '"a room"', r'r"\mbox{a room in which all who live in the house can sit down at one table}"')
+        self.assertRegex(self.make(), r"compute.py:12: 'short': a line is [\d.]+pt too wide")
+
+    def test_long_numbers_fit_into_the_ledger(self):
+        self.paper.replace("compute.py", "x = literate.number(case[\"x\"], error=case[\"error\"], unit=\"m\", digits=3)",
+                           "x = literate.number(1234.5678, standard=0.0012, unit='W/(m2.K)', format='uncertain()')")
+        self.paper.replace("compute.py", 'literate.limit(case["limit"], "choice", "a room")', 'literate.limit(1234.6, "choice", "a room", counting=2)')
+        self.assertNotIn("too wide", self.make())
 
     def test_settings_and_results_that_are_none_are_refused_in_one_line(self):
         self.make()

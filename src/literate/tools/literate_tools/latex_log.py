@@ -81,8 +81,9 @@ def place(settings: Settings, results: dict, error: Error) -> str:
     for script in settings.scripts:
         if error.file.parent.parent.name == "figures" and script.stem == name:
             return f"{settings.shown(script)}: figure '{name}': "
-    line = error.file.read_text().splitlines()[error.line - 1]
-    key = re.match(r"\\Literate(?:Value|Rounded|Entry)\{([^}]*)\}", line)
+    lines = error.file.read_text().splitlines()[:error.line]  # a claim begins above its criteria
+    keys = (re.match(r"\\Literate(?:Value|Rounded|Entry)\{([^}]*)\}", line) for line in reversed(lines))
+    key = next(filter(None, keys), None)
     found = key and (results["values"].get(key[1]) or results["claims"].get(key[1]))
     return f"{found['place']}: '{key[1]}': " if found else f"{settings.shown(error.file)}:{error.line}: "
 
@@ -125,8 +126,15 @@ def warnings(settings: Settings) -> list[str]:
             found[f"{shown(settings, file)}: the font has no character {match[1]}"] = None
         elif match := re.match(r"Overfull \\hbox \(([\d.]+)pt too wide\).* lines? (\d+)", line):
             if float(match[1]) > 1:
-                found[f"{shown(settings, file)}:{match[2]}: a line is {match[1]}pt too wide"] = None
+                found[f"{place_of_line(settings, file, int(match[2]))}a line is {match[1]}pt too wide"] = None
     return list(found)
+
+
+def place_of_line(settings: Settings, file: str, line: int) -> str:
+    """Returns where to mend a line that LaTeX read: what the program generated is mended in the code."""
+    if not file.startswith("generated/"):
+        return f"{shown(settings, file)}:{line}: "
+    return place(settings, read_results(settings.generated / "results.json"), Error(settings.output / file, line, "", False))
 
 
 def shown(settings: Settings, file: str) -> str:
