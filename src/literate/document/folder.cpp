@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* results_name = "results.json";
 
-/// The files that an earlier run wrote; none if it wrote no list that can be read.
+/// The files that an earlier run wrote; none if its list cannot be read.
 std::vector<std::string> former_files(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / results_name, error)) return {};
@@ -26,7 +26,7 @@ std::vector<std::string> former_files(const fs::path& folder) {
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
   for (const auto& file : json["files"]) {
     const fs::path name = file.is_string() ? fs::path(file.get<std::string>()) : fs::path();
-    // A list that somebody has edited must not reach other folders.
+    // An edited list must not reach other folders.
     const bool is_inside = name.is_relative() && std::ranges::find(name, "..") == name.end();
     if (!name.empty() && is_inside) files.push_back(name.generic_string());
   }

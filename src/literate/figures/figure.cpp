@@ -64,7 +64,7 @@ void require_columns(const std::string& block, const FigureData& data) {
   }
 }
 
-/// What `write` sends to gnuplot, as a text.
+/// Captures the commands that `write` sends to gnuplot.
 template <typename Write>
 std::string sent(Write&& write) {
   const sys::Descriptor memory(::memfd_create("figure", MFD_CLOEXEC));
@@ -78,14 +78,14 @@ std::string sent(Write&& write) {
   return sys::read_file(fmt::format("/proc/self/fd/{}", memory.number()));
 }
 
-// gnuplot takes a number without point and exponent for an integer, of which 1/2 is 0.
+// gnuplot reads a number without point or exponent as an integer, and computes 1/2 = 0 from it.
 std::string floating_point(double number) {
   const std::string text = round_trip(number);
   return text.find_first_of(".e") == text.npos ? text + ".0" : text;
 }
 
-// A script may set a decimal sign of its own, by which gnuplot would also read the data: 1.25 as 1.
-// A whole number with an exponent, 125e-2, has no decimal sign.
+// A script may set a different decimal sign, and gnuplot would then read 1.25 in the data as 1. An
+// integer with an exponent, 125e-2, has no decimal sign.
 std::string without_sign(double number) {
   if (std::isnan(number)) return "NaN";
   constexpr int most_plain = 5;
@@ -94,7 +94,7 @@ std::string without_sign(double number) {
   return fmt::format("{}{}e{}", digits.negative ? "-" : "", digits.digits, digits.place);
 }
 
-// In gnuplot's single quotes a quote is doubled and nothing else is special.
+// Inside single quotes gnuplot needs only the quote itself doubled.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);

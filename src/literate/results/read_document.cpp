@@ -27,8 +27,7 @@ std::string text_or_nothing(const StrictJson& json, const std::string& key) {
   return text ? text->text() : "";
 }
 
-/// The number with its uncertainty; none if the script gives neither a bound nor a standard
-/// uncertainty.
+/// The number with its errors; none if the script gives neither a bound nor a standard uncertainty.
 std::optional<Number> known_of(const StrictJson& json) {
   const auto bound = json.find("bound"), standard = json.find("standard");
   if (!bound && !standard) return std::nullopt;
