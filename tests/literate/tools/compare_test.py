@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""changes, verify and dist: the paper beside a former state, a different machine, an empty folder."""
+"""changes, verify and dist: comparisons with an earlier state, a different machine and an empty folder."""
 
 import csv
 import json
@@ -16,7 +16,7 @@ from literate_tools.settings import PARTS
 
 
 def results(**parts) -> dict:
-    """Returns results with these parts."""
+    """Returns results that consist of these parts."""
     return {"schema": 1, "failed": []} | {part: {} for part in PARTS} | parts
 
 
@@ -26,7 +26,7 @@ def number(value: float, bound: float = 0, **more) -> dict:
 
 
 class Compare(unittest.TestCase):
-    def test_numbers_move_beyond_the_sum_of_both_errors_or_within(self):
+    def test_numbers_move_beyond_or_within_the_sum_of_both_errors(self):
         cases = [
             (number(1, 0.1), number(1.15, 0.1), "within"), (number(1, 0.1), number(1.25, 0.1), "beyond"),
             (number(1, 0.1), number(1, 0.1), None), (number(1, 0.1), number(1, 0.2), None),
@@ -40,7 +40,7 @@ class Compare(unittest.TestCase):
                 found = compare(results(values={"x": before}), results(values={"x": after}))
                 self.assertEqual([one.change for one in found], [change] if change else [])
 
-    def test_names_verdicts_limits_and_cells(self):
+    def test_new_and_gone_names_verdicts_limits_and_cells_are_listed(self):
         def claim(verdict: str, limit: str) -> dict:
             return {"verdict": verdict, "criteria": [{"name": "c", "limit": limit}]}
 
@@ -55,7 +55,7 @@ class Compare(unittest.TestCase):
             ("limit", "d: c", "≤ 1", "≤ 2"), ("verdict", "k", "True", "False"), ("beyond", "t: row 1, h", "1", "3"),
             ("changed", "t: row 2, h", "", "x"), ("changed", "s", "1 rows of h", "2 rows of h")})
 
-    def test_values_and_flags_are_expanded_as_a_state_prints_them(self):
+    def test_values_and_flags_are_replaced_by_their_printed_text(self):
         text = r"It \ifflag{a}{is \val{x} \ifflag{b}{and}{or \val{x}}}{is \{not\}} \val[2]{x} % \val{x}"
         self.assertEqual(expand(text, {"x": r"1\,m", "x[2]": "1.0"}, {"a": True, "b": False}).rstrip(),
                          r"It is \LiteratePrinted{1\,m} or \LiteratePrinted{1\,m} \LiteratePrinted{1.0}")
@@ -63,7 +63,7 @@ class Compare(unittest.TestCase):
 
 
 class Changes(PaperTest):
-    def test_changes_since_a_commit_and_since_a_file_have_the_places_that_print_them(self):
+    def test_changes_since_a_commit_or_a_file_name_the_lines_that_print_them(self):
         self.paper.commit()
         self.make()
         shutil.copy(self.paper.output / "small.manifest.json", self.paper.folder / "old.json")
@@ -87,7 +87,7 @@ class Changes(PaperTest):
         self.assertIn("none: neither a file nor a commit", said)
 
     @unittest.skipUnless(shutil.which("latexdiff"), "latexdiff is not installed")
-    def test_a_pdf_marks_words_and_values(self):
+    def test_the_marked_pdf_shows_changed_words_and_values(self):
         self.paper.commit()
         self.paper.replace("case.toml", "x = 1.5", "x = 0.5")
         self.paper.replace("paper/sections/more.tex", "More", "Much")
@@ -106,7 +106,7 @@ class Verify(PaperTest):
         self.make()
         self.assertEqual(self.paper.literate("verify", str(self.paper.settings)), (0, "small: the same bytes\n"))
 
-    def test_what_depends_on_the_place_is_found(self):
+    def test_output_that_depends_on_the_folder_is_found(self):
         self.paper.replace("compute.py", 'document.value("title", "A & B")', 'document.value("title", __file__)')
         self.paper.commit()
         self.make()
@@ -115,7 +115,7 @@ class Verify(PaperTest):
         self.assertIn("small.pdf: different bytes", said)
         self.assertIn("changed values title:", said)
 
-    def test_a_state_that_is_no_commit_is_refused(self):
+    def test_a_state_that_is_not_committed_is_refused(self):
         self.make()
         code, said = self.paper.literate("verify", str(self.paper.settings))
         self.assertEqual(code, 2)
@@ -127,7 +127,7 @@ class Verify(PaperTest):
         code, said = self.paper.literate("verify", str(self.paper.settings))
         self.assertIn("case.toml", said)
 
-    def test_manifests_are_compared_within_the_errors_and_by_hashes(self):
+    def test_a_manifest_is_compared_by_results_or_by_hashes(self):
         self.make()
         manifest = self.paper.folder / "theirs.json"
         data = json.loads((self.paper.output / "small.manifest.json").read_text())
@@ -137,11 +137,11 @@ class Verify(PaperTest):
         manifest.write_text(json.dumps(data))
         verify = ["verify", str(self.paper.settings)]
         self.assertEqual(self.paper.literate(*verify, "--manifest", "theirs.json"),
-                         (0, "small: the same results, 1 of them different within their errors\n"))
+                         (0, "small: the same results; different within their errors: 1\n"))
         data["results"]["values"]["x"]["number"] += 1e-3
         manifest.write_text(json.dumps(data))
         self.assertEqual(self.paper.literate(*verify, "--manifest", "theirs.json"), (1, "beyond values x: 1.50 m there, 1.50 m here\n"))
-        self.assertEqual(self.paper.literate(*verify, "--files", "theirs.json"), (0, "small: all files are those of the manifest\n"))
+        self.assertEqual(self.paper.literate(*verify, "--files", "theirs.json"), (0, "small: all files have the hashes of the manifest\n"))
         self.paper.replace("paper/small.tex", "It is", "It was")
         (self.paper.output / "generated" / "values.csv").unlink()
         self.assertEqual(self.paper.literate(*verify, "--files", "theirs.json"),
@@ -149,7 +149,7 @@ class Verify(PaperTest):
 
 
 class Dist(PaperTest):
-    def test_the_archive_is_typeset_without_the_engine_and_is_the_same_each_time(self):
+    def test_the_archive_needs_no_engine_and_is_the_same_each_time(self):
         self.paper.write("paper/small.bib", "@book{b, author={A. Uthor}, title={Title}, year=2001, publisher={P}}\n")
         self.paper.replace("paper/small.tex", r"\claimledger", "\\claimledger\\attachdata\\cite{b}\n\\bibliographystyle{plain}\\bibliography{small}")
         self.make()
@@ -163,12 +163,12 @@ class Dist(PaperTest):
         self.paper.literate("dist", str(self.paper.settings))
         self.assertEqual(archive.read_bytes(), data)
 
-    def test_a_file_outside_of_the_document_is_refused(self):
+    def test_a_file_outside_the_document_is_refused(self):
         self.paper.replace("paper/small.tex", r"\claimledger", r"\input{../case.toml}")
         self.make()
         code, said = self.paper.literate("dist", str(self.paper.settings))
         self.assertEqual(code, 2)
-        self.assertIn("case.toml: LaTeX reads this file outside of paper", said)
+        self.assertIn("case.toml: LaTeX reads this file from outside paper", said)
 
 
 if __name__ == "__main__":

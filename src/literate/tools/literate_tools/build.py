@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs Ninja in the folder build/ and prints what matters: one line that changes on a terminal, and of a rule that fails its
-own words without its command.
+"""Runs Ninja in the folder build/ and prints what matters: one changing line on a terminal, and the messages of a failed rule
+without its command.
 
 examples:
   literate build mypaper
@@ -37,7 +37,7 @@ def run(arguments: list[str]) -> int:
 
 
 def show(lines, on_terminal: bool) -> None:
-    """Prints Ninja's lines as they come."""
+    """Prints Ninja's output line by line."""
     status, is_command = False, False
     for line in lines:
         line = line.rstrip("\n")

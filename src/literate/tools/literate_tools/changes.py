@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares the results of a paper that is built with former ones: those of a commit, which is computed again in a clone, or
-those in a results.json or a manifest. Lists numbers that moved beyond or within the sum of both errors, verdicts, flags, limits,
+"""Compares the results of a built paper with earlier ones: those of a commit, which a clone computes again, or those in a
+results.json or a manifest. Lists numbers that moved beyond or within the sum of both errors, verdicts, flags, limits,
 texts and data of figures that changed, and what is new or gone, with the places in the prose that print it: those to read again.
 The list is written to changes.csv beside the PDF as well.
 
 examples:
   literate changes build/mypaper.json v1.0
-  literate changes build/mypaper.json HEAD~3 --pdf    also a PDF with marked changes (Debian package latexdiff)
+  literate changes build/mypaper.json HEAD~3 --pdf    writes a PDF with marked changes as well (Debian package latexdiff)
   literate changes build/mypaper.json other/results.json
 """
 
@@ -41,7 +41,7 @@ def run(arguments: list[str]) -> int:
     arguments_of = parser("changes", __doc__)
     arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
     arguments_of.add_argument("since", help="a commit, a tag, or a file with results")
-    arguments_of.add_argument("--pdf", action="store_true", help="write NAME.changes.pdf, in which all changes are marked")
+    arguments_of.add_argument("--pdf", action="store_true", help="write NAME.changes.pdf, with all changes marked")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
     former = Path(given.since) if Path(given.since).is_file() else results_of_commit(settings, given.since) / "results.json"
@@ -51,13 +51,13 @@ def run(arguments: list[str]) -> int:
     if given.pdf:
         from literate_tools.marked import write_marked_pdf
         if Path(given.since).is_file():
-            raise Failure("--pdf needs the prose of a commit, and this is a file")
+            raise Failure("--pdf needs the prose of a commit, not a file")
         write_marked_pdf(settings, given.since, former.parent)
     return 0
 
 
 def results_of_commit(settings: Settings, since: str) -> Path:
-    """Computes the paper of a commit in a clone, once, and returns the folder with its results."""
+    """Computes the paper of a commit in a clone, unless that is done already, and returns the folder with its results."""
     commit = git(settings.source, "rev-parse", "--verify", "--quiet", f"{since}^{{commit}}")
     if not commit:
         raise Failure(f"{since}: neither a file nor a commit of this repository; in a shallow clone, 'git fetch --unshallow'")
@@ -95,7 +95,7 @@ def compare(old: dict, new: dict) -> list[Change]:
 
 
 def brief(entry: dict | None) -> str:
-    """Returns how something is printed, in a few words."""
+    """Returns the printed form of an entry, or a few words about it."""
     if entry is None:
         return ""
     for key in ("printed", "verdict", "value", "passed"):
@@ -105,7 +105,7 @@ def brief(entry: dict | None) -> str:
 
 
 def error(number: dict) -> float:
-    """Returns the whole error of a number: its bound and twice its standard uncertainty."""
+    """Returns the total error of a number: its bound plus two standard uncertainties."""
     return number.get("bound", 0) + 2 * number.get("standard", 0)
 
 
@@ -165,14 +165,14 @@ COMPARE = {"values": compare_value, "flags": compare_verdict, "tables": compare_
 
 
 def changed_data(former: Path, generated: Path) -> list[Change]:
-    """Returns the figures whose data differ, where both folders have them. The data have no errors, so that it may be by rounding."""
+    """Returns the figures whose data differ between the folders. Data have no errors, so the change may be one of rounding."""
     changed = {new.parent.name for new in generated.glob("figures/*/*.csv")
                if (old := former / new.relative_to(generated)).exists() and old.read_bytes() != new.read_bytes()}
     return [Change("changed", "figures", name, "", "its data changed") for name in sorted(changed)]
 
 
 def show(settings: Settings, changes: list[Change]) -> None:
-    """Prints the changes with the places that print them, and writes them as CSV."""
+    """Prints the changes with the lines of the prose that print them, and writes them as CSV."""
     places: dict[tuple[str, str], dict[str, None]] = {}
     for use in read_uses(settings):
         if use.kind in NAMED:
