@@ -11,7 +11,7 @@ from pathlib import Path
 BUILD = Path(__file__).resolve().parents[3] / "build"
 AXE = [BUILD / folder / "node_modules/axe-core/axe.min.js" for folder in ("npm", "axe")]
 
-# Runs in the page, in a frame of the wanted width; the frame around it prints what it posts.
+# Runs inside the page, in a frame of the given width. The frame around it prints the posted message.
 LOOK = """
 addEventListener("load", async () => {
   if (%(opens_card)s) document.querySelector("button[popovertarget]").click();
@@ -34,7 +34,7 @@ FRAME = """<body style="margin:0"><iframe src="look.html" style="width:%dpx;heig
 
 
 def missing_tool():
-    """Returns the name of a missing tool, or None."""
+    """Returns a sentence about a missing tool, or None."""
     if not chromium():
         return "chromium is not installed"
     return None if any(file.is_file() for file in AXE) else "axe-core is not installed below build/npm"

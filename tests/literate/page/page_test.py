@@ -262,8 +262,8 @@ class Refusals(Case):
 
 
 if __name__ == "__main__":
-    missing = [name for name in TOOLS if not shutil.which(name)] or [browser.missing_tool()]
+    missing = [f"{name} is not installed" for name in TOOLS if not shutil.which(name)] or [browser.missing_tool()]
     if missing != [None]:
-        print(f"skipped: {missing[0]} is missing")
+        print(f"skipped: {missing[0]}")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1])
