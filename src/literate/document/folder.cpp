@@ -18,7 +18,7 @@ namespace {
 constexpr const char* results_name = "results.json";
 
 /// The files that an earlier run wrote; none if its list cannot be read.
-std::vector<std::string> former_files(const fs::path& folder) {
+std::vector<std::string> earlier_files(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / results_name, error)) return {};
   const auto json = nlohmann::json::parse(sys::read_file(folder / results_name), nullptr, false);
@@ -61,9 +61,9 @@ void write_folder(const Document& document, const fs::path& folder, const std::s
   for (const auto& [name, text] : files) names.push_back(name);
   const std::string results = results_json(document, case_name, names);
 
-  const std::vector<std::string> former = former_files(folder);
+  const std::vector<std::string> earlier = earlier_files(folder);
   for (const auto& [name, text] : files) sys::write_if_changed(folder / name, text);
-  for (const std::string& name : former) {
+  for (const std::string& name : earlier) {
     if (!files.contains(name) && name != results_name) sys::remove_file(folder / name);
   }
   sys::write_if_changed(folder / results_name, results);

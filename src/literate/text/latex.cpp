@@ -42,9 +42,9 @@ constexpr std::string_view escaped_by_backslash = "%#&_${}";
 
 std::string latex_escaped(std::string_view text) {
   std::string escaped;
-  char former = ' ';
+  char previous = ' ';
   for (const char c : text) {
-    if (c == former && joined.find(c) != joined.npos) escaped += "{}";
+    if (c == previous && joined.find(c) != joined.npos) escaped += "{}";
     const std::string_view command = command_of(c);
     if (!command.empty()) {
       escaped += command;
@@ -54,7 +54,7 @@ std::string latex_escaped(std::string_view text) {
       if (escaped_by_backslash.find(c) != escaped_by_backslash.npos) escaped += '\\';
       escaped += c;
     }
-    former = c;
+    previous = c;
   }
   return escaped;
 }

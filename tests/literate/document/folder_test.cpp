@@ -88,14 +88,14 @@ BOOST_AUTO_TEST_CASE(a_script_that_registers_the_same_gives_the_same_folder) {
 BOOST_AUTO_TEST_CASE(an_unchanged_file_keeps_its_time_stamp) {
   const TemporaryFolder folder;
   write_folder(one_value(1), folder.path(), "c");
-  const auto former = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  const auto earlier = fs::file_time_type::clock::now() - std::chrono::hours(1);
   for (const char* name : {"values.tex", "ledger.tex", "results.json"}) {
-    fs::last_write_time(folder / name, former);
+    fs::last_write_time(folder / name, earlier);
   }
   write_folder(one_value(2), folder.path(), "c");
-  BOOST_CHECK(fs::last_write_time(folder / "ledger.tex") == former);
-  BOOST_CHECK(fs::last_write_time(folder / "values.tex") != former);
-  BOOST_CHECK(fs::last_write_time(folder / "results.json") != former);
+  BOOST_CHECK(fs::last_write_time(folder / "ledger.tex") == earlier);
+  BOOST_CHECK(fs::last_write_time(folder / "values.tex") != earlier);
+  BOOST_CHECK(fs::last_write_time(folder / "results.json") != earlier);
 }
 
 BOOST_AUTO_TEST_CASE(obsolete_files_are_removed_and_drawings_stay) {

@@ -256,7 +256,7 @@ class Refusals(Case):
         paper = Paper(self.folder)
         self.refused(paper, "build/article/article.pdf: the PDF is not up to date")
         paper.typeset()
-        paper.page.write_text("a former page")
+        paper.page.write_text("an old page")
         paper.replace(self.folder / "body.tex", "It is long.", "It is very long.")
         self.refused(paper, "build/article/article.pdf: the PDF is not up to date")
 

@@ -32,12 +32,12 @@ class Rules(PaperTest):
     def test_only_errors_of_cmake_are_printed_after_a_new_script(self):
         self.make()
         self.paper.write("figures/new.gp", "plot 1\n")
-        code, said = self.paper.literate("build", "small")
-        self.assertEqual((code, [line for line in said.splitlines() if not line.startswith("[")]), (0, []))
+        code, output = self.paper.literate("build", "small")
+        self.assertEqual((code, [line for line in output.splitlines() if not line.startswith("[")]), (0, []))
         self.paper.replace("CMakeLists.txt", "NAME small", "NAME small WHAT")
-        code, said = self.paper.literate("build", "small")
+        code, output = self.paper.literate("build", "small")
         self.assertEqual(code, 1)
-        self.assertIn("literate_add_paper: unknown arguments: WHAT", " ".join(said.split()))
+        self.assertIn("literate_add_paper: unknown arguments: WHAT", " ".join(output.split()))
 
     def test_a_commit_typesets_the_paper_again(self):
         self.make()
@@ -70,8 +70,8 @@ class Rules(PaperTest):
 class Failures(PaperTest):
     def test_a_failed_claim_publishes_a_stamped_pdf_and_fails_each_build_until_it_holds(self):
         self.paper.replace("case.toml", "limit = 10.0", "limit = 1.0")
-        said = self.make(1)
-        self.assertIn("claim 'short': fails, expected holds", said)
+        output = self.make(1)
+        self.assertIn("claim 'short': fails, expected holds", output)
         self.assertIn("Not to be trusted: 1 check or claim failed", self.paper.text())
         again = self.make(1)
         self.assertIn("claim 'short': fails, expected holds", again)
@@ -114,8 +114,8 @@ class Failures(PaperTest):
                 self.paper.write(file, right)
                 path = self.paper.folder / file
                 path.write_bytes(right.replace(before, after).encode(errors="surrogateescape"))
-                said = self.make(1)
-                self.assertIn(message, said)
+                output = self.make(1)
+                self.assertIn(message, output)
                 path.write_text(right)
         self.make()
         self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
@@ -130,10 +130,10 @@ class Failures(PaperTest):
 
     def test_visible_defects_are_warnings(self):
         self.paper.replace("paper/sections/more.tex", "More", r"\ref{tab:none} \cite{nobody} \hbox to 1cm{\rule{3cm}{1ex}}" + "\n\nMore")
-        said = self.make()
-        self.assertIn("paper/sections/more.tex:1: undefined reference 'tab:none'", said)
-        self.assertIn("paper/sections/more.tex:1: undefined citation 'nobody'", said)
-        self.assertRegex(said, r"paper/sections/more.tex:1: a line is [\d.]+pt too wide")
+        output = self.make()
+        self.assertIn("paper/sections/more.tex:1: undefined reference 'tab:none'", output)
+        self.assertIn("paper/sections/more.tex:1: undefined citation 'nobody'", output)
+        self.assertRegex(output, r"paper/sections/more.tex:1: a line is [\d.]+pt too wide")
         self.paper.replace("compute.py", '"a room"', r'r"\mbox{a room in which all who live in the house can sit down at one table}"')
         self.assertRegex(self.make(), r"compute.py:12: 'short': a line is [\d.]+pt too wide")
 
@@ -153,14 +153,14 @@ class Failures(PaperTest):
                                     ("incomplete", '{"schema": 1, "values": {}}', "these results are incomplete")]:
             with self.subTest(what):
                 results.write_text(text)
-                code, said = self.paper.literate("changes", str(self.paper.settings), str(results))
-                self.assertEqual((code, said.count("\n")), (2, 1), said)
-                self.assertIn(message, said)
+                code, output = self.paper.literate("changes", str(self.paper.settings), str(results))
+                self.assertEqual((code, output.count("\n")), (2, 1), output)
+                self.assertIn(message, output)
         for arguments, message in [(["check", "none.json"], "there is no such file"), (["chek"], "did you mean 'check'"),
                                    (["check", str(self.paper.folder / "case.toml")], "not the settings of a paper")]:
-            code, said = self.paper.literate(*arguments)
+            code, output = self.paper.literate(*arguments)
             self.assertEqual(code, 2)
-            self.assertIn(message, said)
+            self.assertIn(message, output)
 
 
 class Paths(PaperTest):
@@ -182,8 +182,8 @@ class Paths(PaperTest):
                             .replace("figures\n", "../figures\n").replace("SCRIPT compute.py", "SCRIPT ../compute.py")
                             .replace("SOURCES compute.py FAULTS faults.txt", "SOURCES ../compute.py"))
                 paper.write("CMakeLists.txt", lists[:lists.index("include")] + "add_subdirectory(sub)\n")
-                code, said = paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja")
-                self.assertNotIn("Warning", said)
+                code, output = paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja")
+                self.assertNotIn("Warning", output)
                 paper.run("ninja", "-C", "build", "sub/small")
                 paper.replace("paper/sections/more.tex", "More", "Much")
                 self.assertEqual(rules_in(paper.run("ninja", "-C", "build", "sub/all")[1]), ["typeset small"])
@@ -202,10 +202,10 @@ class Paths(PaperTest):
         for path in [self.paper.folder, *self.paper.folder.rglob("*")]:
             path.chmod(0o555 if path.is_dir() else 0o444)
         self.paper.build = self.paper.folder.parent / "build"
-        code, said = self.paper.run("cmake", "-S", ".", "-B", str(self.paper.build), "-G", "Ninja")
+        code, output = self.paper.run("cmake", "-S", ".", "-B", str(self.paper.build), "-G", "Ninja")
         before = sorted(self.paper.folder.rglob("*"))
-        code, said = self.paper.run("ninja", "-C", str(self.paper.build), "small")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.run("ninja", "-C", str(self.paper.build), "small")
+        self.assertEqual(code, 0, output)
         self.assertEqual(sorted(self.paper.folder.rglob("*")), before)
 
 

@@ -56,8 +56,8 @@ class TypedNumbers(unittest.TestCase):
 class Check(PaperTest):
     def check(self, *arguments: str) -> tuple[int, list[str]]:
         self.paper.make()
-        code, said = self.paper.literate("check", str(self.paper.settings), *arguments)
-        return code, said.splitlines()
+        code, output = self.paper.literate("check", str(self.paper.settings), *arguments)
+        return code, output.splitlines()
 
     def test_a_correct_paper_has_no_findings(self):
         self.assertEqual(self.check(), (0, []))

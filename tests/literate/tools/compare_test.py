@@ -75,16 +75,16 @@ class Changes(PaperTest):
                   "beyond   value  x: 1.50 m → 0.500 m   paper/small.tex:8, paper/small.tex:10",
                   "beyond   table  lengths: row 1, length: 1.50 → 0.50   paper/small.tex:10"]
         data = ["changed  figure line: its data changed   paper/small.tex:11"]
-        code, said = self.paper.literate("changes", str(self.paper.settings), "old.json")
-        self.assertEqual((code, said.splitlines()), (0, values))
+        code, output = self.paper.literate("changes", str(self.paper.settings), "old.json")
+        self.assertEqual((code, output.splitlines()), (0, values))
         for _ in range(2):  # the second time the commit is not computed again
-            code, said = self.paper.literate("changes", str(self.paper.settings), "HEAD")
-            self.assertEqual((code, said.splitlines()), (0, values + data))
+            code, output = self.paper.literate("changes", str(self.paper.settings), "HEAD")
+            self.assertEqual((code, output.splitlines()), (0, values + data))
         with open(self.paper.output / "changes.csv") as file:
             self.assertEqual(list(csv.reader(file))[2], ["beyond", "values", "x", "1.50 m", "0.500 m", "paper/small.tex:8 paper/small.tex:10"])
-        code, said = self.paper.literate("changes", str(self.paper.settings), "none")
+        code, output = self.paper.literate("changes", str(self.paper.settings), "none")
         self.assertEqual(code, 2)
-        self.assertIn("none: neither a file nor a commit", said)
+        self.assertIn("none: neither a file nor a commit", output)
 
     @unittest.skipUnless(shutil.which("latexdiff"), "latexdiff is not installed")
     def test_the_marked_pdf_shows_changed_words_and_values(self):
@@ -92,8 +92,8 @@ class Changes(PaperTest):
         self.paper.replace("case.toml", "x = 1.5", "x = 0.5")
         self.paper.replace("paper/sections/more.tex", "More", "Much")
         self.make()
-        code, said = self.paper.literate("changes", str(self.paper.settings), "HEAD", "--pdf")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.literate("changes", str(self.paper.settings), "HEAD", "--pdf")
+        self.assertEqual(code, 0, output)
         words = subprocess.run(["pdftotext", self.paper.output / "small.changes.pdf", "-"], capture_output=True, text=True).stdout
         words = " ".join(words.split())
         self.assertIn("It is 1.50 m, or 1.5 m, big 0.500 m, or 0.50 m, small .", words)
@@ -110,22 +110,22 @@ class Verify(PaperTest):
         self.paper.replace("compute.py", 'document.value("title", "A & B")', 'document.value("title", __file__)')
         self.paper.commit()
         self.make()
-        code, said = self.paper.literate("verify", str(self.paper.settings))
-        self.assertEqual(code, 1, said)
-        self.assertIn("small.pdf: different bytes", said)
-        self.assertIn("changed values title:", said)
+        code, output = self.paper.literate("verify", str(self.paper.settings))
+        self.assertEqual(code, 1, output)
+        self.assertIn("small.pdf: different bytes", output)
+        self.assertIn("changed values title:", output)
 
     def test_a_state_that_is_not_committed_is_refused(self):
         self.make()
-        code, said = self.paper.literate("verify", str(self.paper.settings))
+        code, output = self.paper.literate("verify", str(self.paper.settings))
         self.assertEqual(code, 2)
-        self.assertIn("needs a git repository with a commit", said)
+        self.assertIn("needs a git repository with a commit", output)
         self.paper.commit()
-        code, said = self.paper.literate("verify", str(self.paper.settings))
-        self.assertIn("the paper was built from no commit", said)
+        code, output = self.paper.literate("verify", str(self.paper.settings))
+        self.assertIn("the paper was built from no commit", output)
         self.paper.replace("case.toml", "1.5", "1.6")
-        code, said = self.paper.literate("verify", str(self.paper.settings))
-        self.assertIn("case.toml", said)
+        code, output = self.paper.literate("verify", str(self.paper.settings))
+        self.assertIn("case.toml", output)
 
     def test_a_manifest_is_compared_by_results_or_by_hashes(self):
         self.make()
@@ -153,8 +153,8 @@ class Dist(PaperTest):
         self.paper.write("paper/small.bib", "@book{b, author={A. Uthor}, title={Title}, year=2001, publisher={P}}\n")
         self.paper.replace("paper/small.tex", r"\claimledger", "\\claimledger\\attachdata\\cite{b}\n\\bibliographystyle{plain}\\bibliography{small}")
         self.make()
-        code, said = self.paper.literate("dist", str(self.paper.settings))
-        self.assertEqual((code, said), (0, f"{self.paper.output}/small.tar.gz\n"))
+        code, output = self.paper.literate("dist", str(self.paper.settings))
+        self.assertEqual((code, output), (0, f"{self.paper.output}/small.tar.gz\n"))
         archive = self.paper.output / "small.tar.gz"
         with tarfile.open(archive) as tar:
             self.assertLessEqual({"small.tex", "small.bbl", "literate.sty", "sections/more.tex", "generated/values.tex", "generated/tables/lengths.tex",
@@ -166,9 +166,9 @@ class Dist(PaperTest):
     def test_a_file_outside_the_document_is_refused(self):
         self.paper.replace("paper/small.tex", r"\claimledger", r"\input{../case.toml}")
         self.make()
-        code, said = self.paper.literate("dist", str(self.paper.settings))
+        code, output = self.paper.literate("dist", str(self.paper.settings))
         self.assertEqual(code, 2)
-        self.assertIn("case.toml: LaTeX reads this file from outside paper", said)
+        self.assertIn("case.toml: LaTeX reads this file from outside paper", output)
 
 
 if __name__ == "__main__":

@@ -91,7 +91,7 @@ class Interruptions(PaperTest):
                 else:
                     self.wrap(name, "sleep 60")
                 self.stop_when_reached(lambda build: build.send_signal(signal.SIGINT))
-                self.assertEqual(self.paper.pdf.read_bytes(), pdf)  # the former one stays
+                self.assertEqual(self.paper.pdf.read_bytes(), pdf)  # the previous one stays
                 self.paper.write("compute.py", SCRIPT)
                 self.assert_recovers()
 
@@ -142,7 +142,7 @@ class Interruptions(PaperTest):
                 pdf = self.paper.pdf.read_bytes()
                 self.edit()
                 fill(disk / "filler", left)
-                code, said = self.paper.make()
+                code, output = self.paper.make()
                 if self.paper.pdf.read_bytes() != pdf:
                     self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
                 (disk / "filler").unlink()

@@ -58,15 +58,15 @@ class Severity(PaperTest):
                               ("a | case.toml | x = | y = | w\na | case.toml | x = | y = | w", "faults.txt:2: fault 'a' occurs twice")]:
             with self.subTest(line):
                 self.paper.write("faults.txt", line + "\n")
-                code, said = self.severity()
+                code, output = self.severity()
                 self.assertEqual(code, 2)
-                self.assertIn(message, said)
+                self.assertIn(message, output)
 
     def test_faults_that_no_test_detects_are_listed(self):
         tests = "grep -q 'limit = 10' case.toml && { [ -n \"$TEST\" ] || grep -q 'A & B' compute.py; }"
         self.paper.write("faults.txt", FAULTS.replace("only a text", "only a text | first") + "broken | compute.py | import literate | import literate( | no Python\n")
-        code, said = self.severity("--build", "python3 -m py_compile compute.py", "--tests", tests)
-        self.assertEqual((code, said), (1, "limit: noticed\nidle: noticed\nstops: not noticed (a point is missing)\n"
+        code, output = self.severity("--build", "python3 -m py_compile compute.py", "--tests", tests)
+        self.assertEqual((code, output), (1, "limit: noticed\nidle: noticed\nstops: not noticed (a point is missing)\n"
                                            "broken: does not compile (no Python)\n"))
 
 
@@ -84,8 +84,8 @@ class Cases(PaperTest):
 
     def test_each_case_gets_a_paper_and_a_row_in_the_table(self):
         self.make()
-        code, said = self.paper.literate("cases", str(self.paper.settings), "-j", "2", *self.files)
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.literate("cases", str(self.paper.settings), "-j", "2", *self.files)
+        self.assertEqual(code, 0, output)
         self.assertEqual([(row["case"], row["x (m)"], row["big"], row["claim short"]) for row in self.rows()],
                          [("a", "0.5", "false", "holds"), ("b b", "1.5", "true", "holds"), ("c", "2.5", "true", "holds"), ("d", "20.0", "true", "fails")])
         pdfs = [self.paper.build / "cases" / name / "small.pdf" for name in ("a", "b b", "c", "d")]
@@ -97,17 +97,17 @@ class Cases(PaperTest):
 
     def test_a_single_case_gives_the_same_paper(self):
         self.make()
-        code, said = self.paper.literate("case", str(self.paper.settings), "case.toml", "elsewhere/own")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.literate("case", str(self.paper.settings), "case.toml", "elsewhere/own")
+        self.assertEqual(code, 0, output)
         self.assertEqual((self.paper.folder / "elsewhere/own/small.pdf").read_bytes(), self.paper.pdf.read_bytes())
         self.assertEqual(self.paper.literate("case", str(self.paper.settings), "cases/d.toml", "elsewhere/d", "--numbers")[0], 1)
 
     def test_bad_input_is_refused(self):
         self.make()
         for arguments, message in [(["none.toml"], "none.toml: there is no such file"), (["case.toml", "cases/../case.toml"], "have the same name")]:
-            code, said = self.paper.literate("cases", str(self.paper.settings), *arguments)
+            code, output = self.paper.literate("cases", str(self.paper.settings), *arguments)
             self.assertEqual(code, 2)
-            self.assertIn(message, said)
+            self.assertIn(message, output)
 
     @unittest.skipUnless(shutil.which("snakemake"), "snakemake is not installed")
     def test_a_killed_snakemake_continues_and_computes_no_case_twice(self):
@@ -125,8 +125,8 @@ class Cases(PaperTest):
         snakefile = (ENGINE / "template" / "common" / "Snakefile").read_text().replace("mypaper", "small")
         self.paper.write("Snakefile", snakefile)
         self.paper.write(".engine", str(ENGINE))
-        code, said = self.paper.make("small-program")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.make("small-program")
+        self.assertEqual(code, 0, output)
         snakemake = ["snakemake", "--cores", "1", "--quiet"]
         third = done.with_name("done.third")
         run = subprocess.Popen(snakemake, cwd=self.paper.folder, env=self.paper.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -140,8 +140,8 @@ class Cases(PaperTest):
         self.assertEqual(len(before), 2)
         done.write_text("".join(f"{x}\n" for x in before) + "killed\n")
         self.paper.run(*snakemake, "--unlock")
-        code, said = self.paper.run(*snakemake, "--rerun-incomplete")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.run(*snakemake, "--rerun-incomplete")
+        self.assertEqual(code, 0, output)
         self.assertEqual(sorted(done.read_text().split()), sorted(["0.5", "1.5", "2.5", "20.0", "killed"]))
         self.assertEqual([(row["case"], row["claim short"]) for row in self.rows()], [("a", "holds"), ("b", "holds"), ("c", "holds"), ("d", "fails")])
 

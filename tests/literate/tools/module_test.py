@@ -110,10 +110,10 @@ class Module(unittest.TestCase):
                 ("a unit", 'document.value("x", 1.5, error=0.1, digits=2, unit="mm m {}")', "fit.py:6"),
                 ("a key", 'document.value("x y", 1)', "'x y'"), ("a table row", 'document.table("t", [literate.column("c")], [["a", "b"]])', "fit.py:6")]:
             with self.subTest(what):
-                code, said = self.run_script(EVERYTHING.replace(line, f"    {mistake}\n"))
+                code, output = self.run_script(EVERYTHING.replace(line, f"    {mistake}\n"))
                 self.assertNotEqual(code, 0)
-                self.assertIn(message, said)
-                self.assertRegex(said, r"^fit.py:6: .*\n$")
+                self.assertIn(message, output)
+                self.assertRegex(output, r"^fit.py:6: .*\n$")
 
     def test_a_mistake_in_the_case_is_one_line(self):
         script = """import literate

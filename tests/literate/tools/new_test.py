@@ -67,9 +67,9 @@ class New(unittest.TestCase):
         paper = self.new_paper(self.installed("engine"), "--python")
         prose = paper / "paper" / "cup.tex"
         prose.write_text(prose.read_text().replace(r"\val{period}", r"\val{perod}"))
-        said = self.run_in(paper, "make", code=2).splitlines()
-        self.assertEqual(said[-2], "paper/cup.tex:19: unknown value 'perod', did you mean 'period'?")
-        self.assertNotIn("FAILED", "\n".join(said))
+        output = self.run_in(paper, "make", code=2).splitlines()
+        self.assertEqual(output[-2], "paper/cup.tex:19: unknown value 'perod', did you mean 'period'?")
+        self.assertNotIn("FAILED", "\n".join(output))
 
     def test_a_moved_engine_is_found_or_requested(self):
         prefix = self.installed("one")
@@ -77,8 +77,8 @@ class New(unittest.TestCase):
         self.run_in(paper, "make")
         pdf = (paper / "build/cup/cup.pdf").read_bytes()
         two = prefix.rename(self.folder / "two")
-        said = self.run_in(paper, "make", code=2)
-        self.assertIn(f"there is no engine in '{self.folder}/one/share/literate': run make ENGINE=folder", said)
+        output = self.run_in(paper, "make", code=2)
+        self.assertIn(f"there is no engine in '{self.folder}/one/share/literate': run make ENGINE=folder", output)
         self.run_in(paper, "make", f"ENGINE={two}/share/literate")
         self.run_in(paper, "make")  # it is remembered
         three = two.rename(self.folder / "three")
@@ -95,9 +95,9 @@ class New(unittest.TestCase):
         paper = self.new_paper(self.installed("engine"), "--python")
         makes = [subprocess.Popen(["make"], cwd=paper, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
                  for _ in range(2)]
-        said = [make.communicate()[0] for make in makes]
-        self.assertEqual([make.returncode for make in makes], [0, 0], said)
-        self.assertEqual(sorted("typeset cup" in one for one in said), [False, True])
+        output = [make.communicate()[0] for make in makes]
+        self.assertEqual([make.returncode for make in makes], [0, 0], output)
+        self.assertEqual(sorted("typeset cup" in one for one in output), [False, True])
         pdf = (paper / "build/cup/cup.pdf").read_bytes()
         self.run_in(paper, "make", "clean")
         self.run_in(paper, "make")

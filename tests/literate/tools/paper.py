@@ -97,9 +97,9 @@ class Paper:
     def make(self, target: str = "small") -> tuple[int, str]:
         """Configures if needed and builds."""
         if not (self.build / "build.ninja").exists():
-            code, said = self.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release")
+            code, output = self.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release")
             if code:
-                return code, said
+                return code, output
         return self.run("ninja", "-C", str(self.build), target)
 
     def clean_pdf(self) -> bytes:
@@ -108,8 +108,8 @@ class Paper:
             copy = Paper(Path(folder, "clean"))
             shutil.copytree(self.folder, copy.folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("build"))
             copy.environment = self.environment
-            code, said = copy.make()
-            assert copy.pdf.exists(), said
+            code, output = copy.make()
+            assert copy.pdf.exists(), output
             return copy.pdf.read_bytes()
 
     def text(self) -> str:
@@ -125,9 +125,9 @@ class Paper:
         subprocess.run([*git, "commit", "--quiet", "-m", message], cwd=self.folder, check=True)
 
 
-def rules_in(said: str) -> list[str]:
+def rules_in(output: str) -> list[str]:
     """Returns the rules that Ninja ran, without those that run in every build."""
-    return [rule for rule in re.findall(r"^\[\d+/\d+\] (.*)$", said, re.MULTILINE)
+    return [rule for rule in re.findall(r"^\[\d+/\d+\] (.*)$", output, re.MULTILINE)
             if not rule.startswith(("look up", "Re-", "check the claims"))]
 
 
@@ -143,6 +143,6 @@ class PaperTest(unittest.TestCase):
 
     def make(self, code: int = 0, paper: Paper | None = None) -> str:
         """Builds, requires an exit code, and returns the output."""
-        found, said = (paper or self.paper).make()
-        self.assertEqual(found, code, said)
-        return said
+        found, output = (paper or self.paper).make()
+        self.assertEqual(found, code, output)
+        return output

@@ -44,15 +44,15 @@ def run(arguments: list[str]) -> int:
     arguments_of.add_argument("--pdf", action="store_true", help="write NAME.changes.pdf, with all changes marked")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
-    former = Path(given.since) if Path(given.since).is_file() else results_of_commit(settings, given.since) / "results.json"
-    changes = compare(read_results(former), read_results(settings.generated / "results.json"))
-    changes += changed_data(former.parent, settings.generated)
+    earlier = Path(given.since) if Path(given.since).is_file() else results_of_commit(settings, given.since) / "results.json"
+    changes = compare(read_results(earlier), read_results(settings.generated / "results.json"))
+    changes += changed_data(earlier.parent, settings.generated)
     show(settings, changes)
     if given.pdf:
         from literate_tools.marked import write_marked_pdf
         if Path(given.since).is_file():
             raise Failure("--pdf needs the prose of a commit, not a file")
-        write_marked_pdf(settings, given.since, former.parent)
+        write_marked_pdf(settings, given.since, earlier.parent)
     return 0
 
 
@@ -61,7 +61,7 @@ def results_of_commit(settings: Settings, since: str) -> Path:
     commit = git(settings.source, "rev-parse", "--verify", "--quiet", f"{since}^{{commit}}")
     if not commit:
         raise Failure(f"{since}: neither a file nor a commit of this repository; in a shallow clone, 'git fetch --unshallow'")
-    kept = settings.output / "former" / commit[:12]
+    kept = settings.output / "earlier" / commit[:12]
     if (kept / "results.json").exists():
         return kept
     root = Path(git(settings.source, "rev-parse", "--show-toplevel"))
@@ -164,10 +164,10 @@ COMPARE = {"values": compare_value, "flags": compare_verdict, "tables": compare_
            "checks": compare_verdict, "claims": compare_verdict}
 
 
-def changed_data(former: Path, generated: Path) -> list[Change]:
+def changed_data(earlier: Path, generated: Path) -> list[Change]:
     """Returns the figures whose data differ between the folders. Data have no errors, so the change may be one of rounding."""
     changed = {new.parent.name for new in generated.glob("figures/*/*.csv")
-               if (old := former / new.relative_to(generated)).exists() and old.read_bytes() != new.read_bytes()}
+               if (old := earlier / new.relative_to(generated)).exists() and old.read_bytes() != new.read_bytes()}
     return [Change("changed", "figures", name, "", "its data changed") for name in sorted(changed)]
 
 

@@ -36,18 +36,18 @@ def draw(settings: Settings, script: Path, generated: Path) -> None:
     environment = os.environ | {"LC_ALL": "C.UTF-8", "TZ": "UTC"}
     ran = subprocess.run([tool("gnuplot", "gnuplot-nox"), "-d", *files], cwd=folder, env=environment,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
-    said = with_places(ran.stdout, settings)
-    print(said, end="", file=sys.stderr)
-    if ran.returncode or re.search(r"\bwarning\b", said, re.IGNORECASE):
+    printed = with_places(ran.stdout, settings)
+    print(printed, end="", file=sys.stderr)
+    if ran.returncode or re.search(r"\bwarning\b", printed, re.IGNORECASE):
         raise Failure(f"{shown}: gnuplot {'failed' if ran.returncode else 'warned'}", 3)
     if not all(output.exists() and output.stat().st_size for output in outputs):
         raise Failure(f"{shown}: gnuplot wrote no {name}.tex and {name}.pdf; the script must not change terminal and output", 3)
     date_back(outputs, start)
 
 
-def with_places(said: str, settings: Settings) -> str:
+def with_places(printed: str, settings: Settings) -> str:
     """Writes gnuplot's «"/home/…/period.gp" line 4: …» as figures/period.gp:4: …, without its empty lines."""
     def place(match: re.Match) -> str:
         return f"{settings.shown(Path(match[1]))}:{match[2]}: "
-    lines = [line for line in said.splitlines() if line.strip()]
+    lines = [line for line in printed.splitlines() if line.strip()]
     return "".join(re.sub(r'^\s*"([^"]*)",? line (\d+): ', place, line) + "\n" for line in lines)

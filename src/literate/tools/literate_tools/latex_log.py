@@ -22,7 +22,7 @@ class Error:
     file: Path | None
     line: int
     message: str
-    is_of_former_run: bool  # in a file that LaTeX wrote
+    is_in_auxiliary_file: bool  # the file is in OUTPUT/latex
 
 
 def log_of(settings: Settings) -> str:

@@ -50,8 +50,8 @@ def versions(settings: Settings) -> dict[str, str]:
         found = re.search(pattern, log)
         tools[name] = found[1] if found else "unknown"
     if settings.scripts:
-        said = subprocess.run([tool("gnuplot", "gnuplot-nox"), "--version"], capture_output=True, text=True).stdout
-        tools["gnuplot"] = said.removeprefix("gnuplot ").strip()
+        printed = subprocess.run([tool("gnuplot", "gnuplot-nox"), "--version"], capture_output=True, text=True).stdout
+        tools["gnuplot"] = printed.removeprefix("gnuplot ").strip()
     return tools
 
 

@@ -16,14 +16,14 @@ from literate_tools.typeset import run_latex
 from literate_tools.uses import without_comments
 
 
-def write_marked_pdf(settings: Settings, since: str, former: Path) -> None:
-    """Writes NAME.changes.pdf; `former` is the folder with the results of that commit."""
+def write_marked_pdf(settings: Settings, since: str, earlier: Path) -> None:
+    """Writes NAME.changes.pdf; `earlier` is the folder with the results of that commit."""
     tool("latexdiff")
     folder = settings.output / "marked"
     shutil.rmtree(folder, ignore_errors=True)
     prose_of_commit(settings, since, folder / "old")
     shutil.copytree(settings.document, folder / "new", ignore=shutil.ignore_patterns(".git", "build"))
-    for state, generated in (("old", former), ("new", settings.generated)):
+    for state, generated in (("old", earlier), ("new", settings.generated)):
         expand_all(folder / state, generated)
     marked = subprocess.run(["latexdiff", "--type=CFONT", "--flatten", "--append-safecmd=LiteratePrinted", f"old/{settings.main}",
                              f"new/{settings.main}"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)

@@ -47,7 +47,7 @@ def run_latex(settings: Settings) -> Path:
     """Runs LaTeX as often as needed and returns the PDF in OUTPUT/latex. Fails with LaTeX's errors and their places."""
     had_files = prepare(settings)
     errors = settle(settings)
-    if had_files and any(error.is_of_former_run for error in errors):
+    if had_files and any(error.is_in_auxiliary_file for error in errors):
         clear(settings)  # files of an earlier run that do not fit this text, or were cut off
         errors = settle(settings)
     if errors:
