@@ -70,7 +70,7 @@ class Sty(PaperTest):
         self.paper.write("paper/severity.tex", "\\LiterateTurned{short}{big}\n")
         words = " ".join(self.typeset("\\statement[folklore, p.~3]{short}{It fits \\emph{well}, 5\\,\\%.}\n\\claimledger").split())
         for part in ("C1 holds. It fits well, 5 %. (folklore, p. 3)", "Route: the number itself; compute.py:12. Turned by these planted faults: big.",
-                     "length (limit from choice:", "a room)", "1.50 m", "≤ 10 m"):
+                     "length (limit from choice: a", "room)", "1.50 m", "≤ 10 m"):
             self.assertIn(part, words)
         self.paper.replace("paper/small.tex", "It fits", "It does fit")
         self.make()
