@@ -25,10 +25,11 @@ unknown := $(firstword $(filter-out $(variables) V MAKEFLAGS,$(given)))
 $(if $(unknown),$(error there is no variable '$(unknown)'; they are $(variables)))
 export $(variables)
 
-# One make at a time. CMake starts from nothing where the checkout was moved; Ninja sees everything else.
+# One make at a time. CMake starts afresh only in a checkout that was moved, which its cache refuses; Ninja sees everything else.
 lock = mkdir -p build && exec 9>build/.lock && { flock --nonblock 9 || { echo 'waiting for the make that runs here' >&2; flock 9; }; }
 configure = $(lock); [ "$$(cat build/configured 2>/dev/null)" = "$$PWD" ] || { \
-	  cmake --fresh --preset release >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 2; }; \
+	  cmake --preset release >build/configure.log 2>&1 || cmake --fresh --preset release >build/configure.log 2>&1 || { \
+	    cat build/configure.log >&2; exit 2; }; \
 	  pwd >build/configured; }
 with_tests = $(configure); grep -q BUILD_TESTING:BOOL=ON build/release/CMakeCache.txt || \
 	cmake --preset release -DBUILD_TESTING=ON >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 2; }
@@ -40,10 +41,10 @@ report: ## the report, build/report/report.pdf
 	  $(ninja) report-program && $(literate) case build/report.json "$$CASE" "build/report-$$(basename "$$CASE" .toml)"; fi
 figures: ## its numbers, tables and figures only, build/report/generated
 	@$(configure); $(ninja) report-figures
-check: report ## typed numbers, unused names and quotations in its prose
-	@$(literate) check build/report.json $${PAPER:+--paper "$$PAPER"}
-changes: report ## what changed since SINCE, with the places that print it
-	@$(literate) changes build/report.json "$${SINCE:-HEAD}"
+check: ## typed numbers, unused names and quotations in its prose
+	@$(configure); $(ninja) report-pdf && $(literate) check build/report.json $${PAPER:+--paper "$$PAPER"}
+changes: ## what changed since SINCE, with the places that print it
+	@$(configure); $(ninja) report-pdf && $(literate) changes build/report.json "$${SINCE:-HEAD}"
 severity: ## which planted faults turn which claims, report/severity.csv
 	@$(configure); $(ninja) report-program && $(literate) severity build/report.json $${ONLY:+--only "$$ONLY"}
 verify: report ## builds the report elsewhere and compares the bytes
@@ -55,9 +56,9 @@ watch: ## builds the report after each save, until Ctrl-C
 dist: report ## packs the document for arXiv, build/report/report.tar.gz
 	@$(literate) dist build/report.json
 html: ## the report as one page, build/report/report.html
-	@$(configure); $(ninja) report; $(literate) html build/report.json
+	@$(configure); $(ninja) report-pdf && $(literate) html build/report.json
 site: ## page, PDF and data for any static host, build/report/site
-	@$(configure); $(ninja) report; $(literate) site build/report.json CITATION.cff
+	@$(configure); $(ninja) report-pdf && $(literate) site build/report.json CITATION.cff
 halfspace: ## the command line of the mechanics, build/release/halfspace
 	@$(configure); $(ninja) halfspace
 install: ## engine, halfspace, completion and man page, below PREFIX

@@ -8,27 +8,27 @@
 
 namespace literate {
 
-/// Undecided if one of the criteria is; else holds or fails if all do, and holds in part in
-/// between. There must be at least one.
+/// Returns undecided if any criterion is undecided, holds or fails if all of them do, and holds in
+/// part otherwise. There must be at least one criterion.
 Verdict verdict_of(const std::vector<Criterion>& criteria);
 
-/// How the computation checks a statement, whose sentence is in the prose.
+/// How the computation tests a statement of the prose.
 struct Claim {
-  std::string route = {};                 ///< how it was computed, independently of it (LaTeX)
-  Verdict expected = Verdict::undecided;  ///< the verdict that the prose gives
-  std::vector<Criterion> criteria = {};   ///< what decides
+  std::string route = {};                 ///< how the tested numbers were computed (LaTeX)
+  Verdict expected = Verdict::undecided;  ///< the verdict that the prose relies on
+  std::vector<Criterion> criteria = {};   ///< the tests that decide it
 
   Verdict verdict() const { return verdict_of(criteria); }
 };
 
-/// Something that must hold for the computation to be trusted.
+/// A condition that must hold before the computation can be trusted.
 struct Check {
   std::string statement;  ///< LaTeX
   bool passed = false;
-  std::vector<Criterion> criteria = {};  ///< what decided; none for a fact that is no number
+  std::vector<Criterion> criteria = {};  ///< empty for a fact that needs no number
 };
 
-/// Every criterion with what was found and what was asked, for a message.
+/// Describes each criterion with its result and its limit, for messages.
 std::string text_of(const std::vector<Criterion>& criteria);
 
 }  // namespace literate

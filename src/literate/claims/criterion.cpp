@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 4> names_of_verdicts{"holds", "holds in part", "fails",
                                                             "undecided"};
 
-/// Runs `make` and reports what it refuses with the caller's line and the criterion's name.
+/// Runs `make`, and adds the caller's line and the criterion's name to its error.
 template <typename Make>
 auto at(const Place& place, const std::string& name, Make&& make) {
   try {
@@ -52,26 +52,26 @@ void require_distance(const Limit& tolerance) {
       fmt::format("the limit of a difference is 0 or more, not {}", tolerance.number()));
 }
 
-/// What is known of a quantity's number; nothing of one that is printed as it came.
+/// The number with its errors; a number of unknown error counts as exact.
 Number known(const Value& quantity) {
   return quantity.known().value_or(Number(quantity.number(), 0));
 }
 
-/// What counts as the error of a quantity.
+/// The error of a quantity as it counts against the limit.
 double error_of(const Value& quantity, const Limit& limit) {
   const Number number = known(quantity);
   if (number.standard == 0) return number.bound;
   const auto& n_counted = limit.n_counted();
   if (!n_counted) {
     throw std::invalid_argument(
-        fmt::format("{} has a standard uncertainty of {}: say how many of them the limit counts, "
-                    "as in Limit(...).counting(2)",
+        fmt::format("{} has a standard uncertainty of {}: the limit must state how many of them "
+                    "count, such as counting 2",
                     quantity.printed(), round_trip(number.standard)));
   }
   return add_up(number.bound, multiply_up(*n_counted, number.standard));
 }
 
-/// A limit, or an error, in the unit of the quantity that it belongs to.
+/// A limit or an error in the unit of its quantity.
 Value limit_like(double limit, const Value& quantity) {
   return {limit, quantity.is_percentage() ? exact().in_percent() : exact(), quantity.unit()};
 }
@@ -85,14 +85,14 @@ Verdict outcome_of(double excess, double unsure) {
   return excess - unsure > 0 ? Verdict::fails : Verdict::undecided;
 }
 
-/// One decimal below ten, and nothing that nobody would compare above a thousand.
+/// One decimal below ten, none above, and no number above a thousand.
 std::string rough(double ratio, const char* unit) {
   constexpr double most = 1000;
   if (ratio > most) return fmt::format("over {} {}", most, unit);
   return fmt::format("{:.{}f} {}", ratio, ratio < 10 ? 1 : 0, unit);
 }
 
-/// The magnitude of c − s with what is not known of it.
+/// |c − s| with its errors.
 Number difference(const Value& computed, const Value& stated) {
   const Number c = known(computed), s = known(stated);
   if (c.is_exact() && s.is_exact()) return {std::abs(decimal_difference(c.value, s.value)), 0};
@@ -101,8 +101,7 @@ Number difference(const Value& computed, const Value& stated) {
           add_up(c.standard, s.standard)};
 }
 
-/// |c/s − 1| with what is not known of it: c'/s' − c/s is (δ − ε c/s)/s' for c' = c + δ, s' = s +
-/// ε.
+/// |c/s − 1| with its errors: c'/s' − c/s is (δ − ε c/s)/s' for c' = c + δ and s' = s + ε.
 Number relative_difference(const Value& computed, const Value& stated) {
   const Number c = known(computed), s = known(stated);
   if (!(std::abs(s.value) > s.bound)) {
@@ -137,7 +136,7 @@ Verdict verdict_named(std::string_view name) {
     return static_cast<Verdict>(found - names_of_verdicts.begin());
   }
   throw std::invalid_argument(
-      fmt::format("'{}' is no verdict: holds, holds in part, fails or undecided", name));
+      fmt::format("'{}' is not a verdict: holds, holds in part, fails or undecided", name));
 }
 
 std::string Margin::text() const {
@@ -233,7 +232,7 @@ Criterion Criterion::agrees(std::string name, const Value& computed, const Value
 Criterion Criterion::agrees_relatively(std::string name, const Value& computed, const Value& stated,
                                        const Limit& tolerance, const Place& place) {
   constexpr int n_digits = 2;
-  // A smaller difference in per cent would be mostly zeros.
+  // In per cent a smaller difference would print mostly zeros.
   constexpr double least_percentage = 1e-5;
   Criterion criterion(std::move(name), tolerance, place);
   const Number apart = at(place, criterion.name_, [&] {
@@ -289,7 +288,7 @@ Criterion Criterion::in_each(std::string name, std::string cases,
   criterion.excess_ = shown.excess_;
   criterion.margin_ = shown.margin_;
   if (n_holding > 0 && n_failing > 0) {
-    criterion.verdict_ = Verdict::holds_in_part;  // whatever the undecided ones are
+    criterion.verdict_ = Verdict::holds_in_part;  // whether or not others are undecided
   } else if (n_undecided > 0) {
     criterion.missing_ = fmt::format("{} of {} {} {} undecided", n_undecided, each.size(), cases,
                                      n_undecided == 1 ? "is" : "are");

@@ -13,26 +13,26 @@
 
 namespace literate {
 
-/// What a criterion, or a claim, comes to.
+/// The outcome of a criterion or a claim.
 enum class Verdict {
   holds,
-  holds_in_part,  ///< in some of the cases, or by some of the criteria, but not by all
+  holds_in_part,  ///< in some of the cases, or for some of the criteria, but not all
   fails,
   undecided,  ///< the error of the quantity, or of the limit, reaches across the limit
 };
 
-/// «holds», «holds in part», «fails» or «undecided».
+/// Returns «holds», «holds in part», «fails» or «undecided».
 std::string_view name_of(Verdict verdict);
 
-/// The verdict of that name. Throws std::invalid_argument for any other text.
+/// Returns the verdict with this name. Throws std::invalid_argument for any other text.
 Verdict verdict_named(std::string_view name);
 
 /// How far a criterion is from a different outcome.
 struct Margin {
-  /// Distance of the quantity from its limit over the error of both; none if both are exact.
+  /// Distance between quantity and limit, divided by their combined error; none if both are exact.
   std::optional<double> errors;
-  /// The factor ≥ 1 between the quantity (or the difference that was tested) and its limit; none
-  /// where one of the two is not positive.
+  /// The factor ≥ 1 between the quantity (or the tested difference) and its limit; none unless both
+  /// are positive.
   std::optional<double> factor;
 
   /// «4.1 times; 97 errors», or «exact».
@@ -41,12 +41,12 @@ struct Margin {
 
 /// A condition on a computed quantity: quantity, relation, limit.
 ///
-/// One object prints the quantity, prints the limit and decides, and what is printed lies on the
-/// same side of the limit as what was tested. If the quantity's error (its bound, with as many
-/// standard uncertainties as Limit::counting says) reaches across the limit, the criterion is
-/// undecided. Each factory throws Error with its caller's line for a value or a limit that is not
-/// valid, for a text, for a standard uncertainty where the limit does not say how many count, and
-/// for an empty name. Names are LaTeX.
+/// One object decides and prints both quantity and limit, so that the printed quantity lies on the
+/// same side of the limit as the tested one. The criterion is undecided if the error of the
+/// quantity reaches across the limit; this error is its bound plus Limit::counting standard
+/// uncertainties. Each factory throws Error with its caller's line for an invalid value or limit, a
+/// text, an empty name, and a standard uncertainty if the limit does not state how many count.
+/// Names are LaTeX.
 class Criterion {
  public:
   /// quantity ≤ limit.
@@ -57,20 +57,20 @@ class Criterion {
   static Criterion at_least(std::string name, const Value& quantity, const Limit& limit,
                             const Place& place = std::source_location::current());
 
-  /// |computed − stated| ≤ tolerance, all in one unit. The bounds of both add up, and so do their
-  /// standard uncertainties, which is right however they are correlated. A tolerance of 0 asks for
-  /// equality, such as of counts.
+  /// |computed − stated| ≤ tolerance, all in one unit. The bounds of both are added, and so are
+  /// their standard uncertainties, which is safe for any correlation. A tolerance of 0 requires
+  /// equality, for example of counts.
   static Criterion agrees(std::string name, const Value& computed, const Value& stated,
                           const Limit& tolerance,
                           const Place& place = std::source_location::current());
 
-  /// |computed/stated − 1| ≤ tolerance; the interval of `stated` must not hold zero.
+  /// |computed/stated − 1| ≤ tolerance; the interval of `stated` must exclude zero.
   static Criterion agrees_relatively(std::string name, const Value& computed, const Value& stated,
                                      const Limit& tolerance,
                                      const Place& place = std::source_location::current());
 
-  /// One criterion for each case; `cases` names them (LaTeX), such as «points». Holds if all do,
-  /// fails if all do, and else holds in part. All must have the same limit. What is printed is how
+  /// One criterion for each case, all with the same limit; `cases` names them (LaTeX), such as
+  /// «points». It holds if all hold, fails if all fail, and holds in part otherwise. It prints how
   /// many hold, and the worst case, or the nearest to its limit if none holds.
   static Criterion in_each(std::string name, std::string cases, const std::vector<Criterion>& each,
                            const Place& place = std::source_location::current());
@@ -78,8 +78,8 @@ class Criterion {
   Verdict verdict() const { return verdict_; }
   const std::string& name() const { return name_; }
 
-  /// What was tested: «0.074 %»; «0.2999, 1.0e-4 from 0.3»; «at most 3.7e-11» of what is less than
-  /// its error; «10 of 11 points; worst: 26».
+  /// The tested quantity: «0.074 %»; «0.2999, 1.0e-4 from 0.3»; «at most 3.7e-11» if it is smaller
+  /// than its error; «10 of 11 points; worst: 26».
   const Phrase& found() const { return found_; }
 
   /// The relation and the limit: «≤ 0.1 %», «≥ 10», «= 5».
@@ -87,7 +87,7 @@ class Criterion {
   const Limit& limit() const { return limit_; }
   const Margin& margin() const { return margin_; }
 
-  /// What keeps it from being decided; empty unless it is undecided.
+  /// Why it is undecided; empty otherwise.
   const std::string& missing() const { return missing_; }
 
   /// «largest misfit: 0.074 % (≤ 0.1 %): holds», for messages.
@@ -105,7 +105,7 @@ class Criterion {
   Phrase limit_phrase_;
   std::string missing_;
   Margin margin_;
-  double excess_ = 0;  // how far the quantity is beyond the limit; negative within it
+  double excess_ = 0;  // distance of the quantity beyond the limit; negative within it
   Verdict verdict_ = Verdict::undecided;
 };
 

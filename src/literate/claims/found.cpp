@@ -13,12 +13,12 @@ namespace {
 
 constexpr int most_digits = 17;
 
-/// The number that a reader reads.
+/// The number as the reader sees it.
 double as_printed(const Value& value) {
   return number_of(rounded(value.format(), value.number(), value.known()).decimal);
 }
 
-/// The same quantity to the nearest number, with more digits than its format has.
+/// The same quantity with more digits than its format has.
 Value with_more_digits(const Value& quantity, int n_more) {
   const Format& format = quantity.format();
   const int n_digits = std::min(format.digits() + n_more, most_digits);
@@ -33,10 +33,10 @@ Value with_error(const Value& quantity) {
   return quantity.formatted(quantity.is_percentage() ? uncertain().in_percent() : uncertain());
 }
 
-/// The end of the quantity's interval that is nearer to the limit, rounded away from the quantity
-/// to two digits, or to more where these would be across the limit.
+/// The end of the quantity's interval nearer to the limit, rounded away from the quantity to two
+/// digits, or to more if rounding would cross the limit.
 Phrase end_phrase(const Value& quantity, double error, double limit) {
-  constexpr int n_meant = 12;  // what follows them is the rounding of the sum
+  constexpr int n_meant = 12;  // later digits are rounding errors of the sum
   const bool is_below = quantity.number() <= limit;
   const double sign = is_below ? 1 : -1;
   const double end = number_of(rounded_to_digits(sign * quantity.number() + error, n_meant));
@@ -48,7 +48,7 @@ Phrase end_phrase(const Value& quantity, double error, double limit) {
   const Notation notation = quantity.format().notation();
   Format format =
       notation == Notation::scientific || quantity.is_percentage() ? scientific(2) : significant(2);
-  // All digits of the end, of which there are two as a rule.
+  // All digits of the end; usually it has two.
   const auto n_digits = static_cast<int>(shortest(printed).digits.size());
   format = format.with_digits(std::max(2, n_digits));
   constexpr double least_plain_ratio = 1e-6;

@@ -8,29 +8,29 @@
 
 namespace literate {
 
-/// A phrase as plain text, for messages, and as LaTeX.
+/// A phrase as plain text (for messages) and as LaTeX.
 struct Phrase {
   std::string plain;
   std::string latex;
 };
 
-/// Puts values and phrases into words that are the same in both.
+/// Inserts phrases into words that are the same in plain text and LaTeX.
 Phrase phrase(std::string_view words, const Phrase& first, const Phrase& second = {},
               const Phrase& third = {});
 
 Phrase phrase_of(const Value& value);
 
-/// Which side of its limit a number has to be on.
+/// The side of the limit on which a number must lie.
 enum class Side { at_most, at_least };
 
-/// What a criterion found, as a reader can compare it with the limit.
+/// Prints the result of a criterion so that a reader can compare it with the limit.
 ///
-/// Prints the quantity as its format does, with more digits, or with its error, where the printed
-/// number would be on the other side of the limit than the quantity itself. A quantity that is less
-/// than its `error` in magnitude is printed by what it is at most, or at least: «at most 3.7e-11».
+/// The quantity is printed in its format. If rounding moved it across the limit, it gets more
+/// digits or its error. A quantity smaller in magnitude than its `error` is printed as a bound: «at
+/// most 3.7e-11».
 Phrase found_phrase(const Value& quantity, double error, double limit, Side side);
 
-/// The same of a quantity whose error leaves open on which side it is: with the error.
+/// Prints a quantity with its error, which reaches across the limit.
 Phrase undecided_phrase(const Value& quantity, double error, double limit);
 
 }  // namespace literate

@@ -22,7 +22,7 @@ double printed(double number, int n_digits) {
   if (n_digits > 0 && n_digits <= most_limit_digits) {
     return number_of(rounded_to_digits(number, n_digits));
   }
-  // What follows twelve digits is the rounding of the arithmetic: 0.003 for 3 · 0.001.
+  // Digits after the twelfth are rounding errors: 3 · 0.001 is 0.003.
   constexpr int n_meant = 12, n_all = 6, n_else = 3;
   const double meant = number_of(rounded_to_digits(number, n_meant));
   const bool has_few = shortest(meant).digits.size() <= n_all;

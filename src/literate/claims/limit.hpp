@@ -9,44 +9,44 @@
 
 namespace literate {
 
-/// Why a limit is what it is.
+/// Where the number of a limit comes from.
 enum class LimitKind {
-  theory,  ///< it follows from a formula
-  data,    ///< a source, or the statement itself, prints it
-  method,  ///< the same run estimates it
-  choice,  ///< a reader could choose a different one
+  theory,  ///< a formula
+  data,    ///< a source, or the statement itself
+  method,  ///< an estimate by the same run
+  choice,  ///< the author's judgement; a reader may choose a different number
 };
 
-/// theory, data, method or choice.
+/// Returns theory, data, method or choice.
 std::string_view name_of(LimitKind kind);
 
 /// The number that decides a criterion, with the reason for it (LaTeX): {0.1, LimitKind::choice,
 /// "what a plot shows"}.
 ///
-/// The number that is tested is the one that is printed: all of its digits if there are no more
-/// than six, else three, or `n_digits` if they are given. `number.abs_error` is how wrong the limit
-/// itself may be. The criteria refuse a limit that is not finite or has no reason, and one that
-/// decides differently before it is rounded.
+/// The criterion tests the rounded number that it prints: with `n_digits` digits if given, else
+/// with all of its digits up to six, else with three. `number.abs_error` bounds the error of the
+/// limit itself. Criteria refuse a limit that is not finite, has no reason, or would decide
+/// differently before rounding.
 class Limit {
  public:
   Limit(numerics::Estimate number, LimitKind kind, std::string reason, int n_digits = 0);
   Limit(double number, LimitKind kind, std::string reason, int n_digits = 0)
       : Limit(numerics::Estimate{number, 0}, kind, std::move(reason), n_digits) {}
 
-  /// The same limit for a quantity with a standard uncertainty, of which `k` > 0 count: k = 2 are
-  /// about 95 % of a normal distribution.
+  /// Returns this limit for a quantity with a standard uncertainty: `k` > 0 of them count as its
+  /// error. k = 2 covers about 95 % of a normal distribution.
   Limit counting(double k) const;
 
-  /// The printed and tested number, and the one that was given.
+  /// The number that is printed and tested, and the one that was given.
   double number() const { return number_; }
   double unrounded() const { return unrounded_; }
   double bound() const { return bound_; }
   LimitKind kind() const { return kind_; }
   const std::string& reason() const { return reason_; }
-  /// How many standard uncertainties count; none if nobody said.
+  /// How many standard uncertainties count; none if counting() was not called.
   const std::optional<double>& n_counted() const { return n_counted_; }
 
-  /// Throws std::invalid_argument with what is wrong with this limit.
+  /// Throws std::invalid_argument if this limit is invalid.
   void require_valid() const;
 
  private:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the engine needs when the rest of the repository is not built around it: a part of a paper's own build.
+# Sets up the engine as a part of a paper's build, without the rest of the repository.
 enable_language(CXX)
-set(HALFSPACE_PREFIX literate_) # the paper may have a target called `system`
-set(CMAKE_UNITY_BUILD ON)       # eight files compiled as one take half of the time
+set(HALFSPACE_PREFIX literate_) # since a paper may have a target `system`
+set(CMAKE_UNITY_BUILD ON)       # compiling eight files as one halves the time
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
@@ -10,7 +10,7 @@ endif()
 include("${CMAKE_CURRENT_LIST_DIR}/literateDependencies.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/../../toolchain/cmake/Helpers.cmake")
 find_path(GNUPLOT_IOSTREAM_INCLUDE_DIR gnuplot-iostream.h REQUIRED)
-add_compile_options("-fmacro-prefix-map=${HALFSPACE_ROOT}/=") # the same library wherever it is built
+add_compile_options("-fmacro-prefix-map=${HALFSPACE_ROOT}/=") # makes the library independent of its folder
 
 add_subdirectory(../system system)
 add_subdirectory(../numerics numerics)

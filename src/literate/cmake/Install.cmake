@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake --install: libraries in lib/literate, headers in include/literate, programs in bin, and what papers are made with in
-# share/literate, in the same layout as here, so that LaTeX, CMake and the tools find each other in either.
+# cmake --install: libraries in lib/literate, headers in include/literate, programs in bin, documentation in share/doc/literate,
+# and everything else in share/literate. This folder has the layout of src/literate, so that LaTeX, CMake and the tools find
+# each other in both.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(headers "${CMAKE_INSTALL_INCLUDEDIR}/literate")
@@ -25,7 +26,9 @@ install(FILES document/results.schema.json results/document.schema.json DESTINAT
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/literateConfigVersion.cmake"
   VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES "${PROJECT_BINARY_DIR}/literateConfigVersion.cmake" DESTINATION "${share}/cmake")
-# What is not compiled: the LaTeX package, the CMake functions, the tools and the template.
+install(FILES README.md TUTORIAL.md DESTINATION share/doc/literate)
+install(DIRECTORY pictures DESTINATION share/doc/literate)
+# Files that are not compiled: the LaTeX package, the CMake functions, the tools and the template.
 foreach(file IN ITEMS literate.sty cmake/literateConfig.cmake cmake/LiteratePaper.cmake)
   cmake_path(GET file PARENT_PATH folder)
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${file}")

@@ -2,20 +2,22 @@
 # literate_add_paper(NAME name PROGRAM target|SCRIPT command… DOCUMENT folder MAIN file CASE file
 #   [FIGURES folder] [SOURCES file|folder…] [DEPENDS file…] [FAULTS file] [OUTPUT folder])
 #
-# Adds the target `name`, which writes OUTPUT/name.pdf, and `name-program`, `name-results` and `name-figures`, which stop
-# earlier. A script whose first word ends with .py runs with CMake's Python3, and depends on all SOURCES. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja decides what is out of date: a rule's outputs
-# keep their time stamps if their content is the same, and then nothing that depends on them runs.
+# Adds the target `name`, which writes OUTPUT/name.pdf and fails if a claim fails, and targets that stop earlier: `name-program`,
+# `name-results`, `name-figures`, and `name-pdf`, which does not look at the claims. A script whose first word ends with .py runs
+# with CMake's Python3 and depends on all SOURCES. Each rule is a verb of tools/literate and reads the settings OUTPUT.json. Ninja
+# decides what is out of date: a rule keeps the time stamp of an output whose content is the same, and then nothing that depends
+# on this output runs.
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
-# pyenv and the like find scripts in the place of Python, which take longer to start it than most rules take altogether.
+# pyenv and similar tools replace Python by a script, which takes longer to start than most rules run.
 execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import sys; print(sys.executable)" OUTPUT_VARIABLE literate_PYTHON
   OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-set(literate_PYTHON "${literate_PYTHON}" CACHE INTERNAL "Runs tools/literate, and scripts that end with .py")
+set(literate_PYTHON "${literate_PYTHON}" CACHE INTERNAL "Runs tools/literate and scripts that end with .py")
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH literate_ENGINE)
 set(literate_ENGINE "${literate_ENGINE}" CACHE INTERNAL "The folder of literate.sty and tools/")
 
 function(literate_add_paper)
-  # CMake would write the depfile again with absolute paths, and Ninja cannot read one with a quote. Without policy CMP0116, of
-  # version 3.20, it does not; but in a subdirectory it would warn.
+  # Policy CMP0116 makes CMake rewrite the depfile with absolute paths, and Ninja cannot read a path with a quote. So the policy
+  # stays unset, except in a subdirectory, where CMake would warn.
   if(CMAKE_CURRENT_BINARY_DIR STREQUAL CMAKE_BINARY_DIR)
     cmake_policy(VERSION 3.19)
     set(depfile_base "${CMAKE_BINARY_DIR}")
@@ -56,7 +58,7 @@ function(literate_add_paper)
 
   _literate_relative_places()
 
-  # What computes: a program, or a script whose file literate-results reads.
+  # The computation: a program, or a script and literate-results, which reads its file.
   if(TARGET "${paper_PROGRAM}")
     set(paper_PROGRAM "$<TARGET_FILE:${paper_PROGRAM}>")
   endif()
@@ -78,7 +80,7 @@ function(literate_add_paper)
       endif()
       list(APPEND script "${word}")
     endforeach()
-    foreach(path IN LISTS paper_SOURCES) # the modules of the script
+    foreach(path IN LISTS paper_SOURCES) # modules of the script
       if(IS_DIRECTORY "${path}")
         file(GLOB_RECURSE files CONFIGURE_DEPENDS "${path}/*")
         list(FILTER files EXCLUDE REGEX "/__pycache__/")
@@ -97,7 +99,7 @@ function(literate_add_paper)
   endif()
   _literate_write_settings()
 
-  # Compute. Of what the program writes, Ninja needs to know what later rules read.
+  # Compute. Ninja must know the outputs that later rules read.
   set(results "${generated}/results.json" "${generated}/values.tex" "${generated}/ledger.tex")
   foreach(file IN LISTS scripts)
     cmake_path(GET file STEM LAST_ONLY figure)
@@ -114,12 +116,12 @@ function(literate_add_paper)
     DEPENDS "${settings}" "${paper_CASE}" ${computes} ${paper_DEPENDS}
     COMMENT "compute ${name}" USES_TERMINAL VERBATIM)
 
-  # The commit. Nobody writes the second output, so this rule always runs. (A SYMBOLIC one would end its restat.)
+  # The commit. The second output never exists, so this rule always runs. (A SYMBOLIC output would disable restat.)
   add_custom_command(OUTPUT "${generated}/repository.tex" "${output}/always"
     COMMAND ${literate} repository "${settings}"
     COMMENT "look up the commit of ${name}" VERBATIM)
 
-  # Typeset. Ninja removes the outputs of a rule that is interrupted, so the output is a stamp, and the PDF stays.
+  # Typeset. Ninja removes the outputs of an interrupted rule. The output is a stamp, so that the PDF stays.
   set(stamp "${output}/typeset.stamp")
   file(GLOB tools "${literate_ENGINE}/tools/literate_tools/*.py")
   list(FILTER tools INCLUDE REGEX "/(typeset|latex_log|manifest|settings|common)\\.py$")
@@ -136,17 +138,18 @@ function(literate_add_paper)
   add_custom_target(${name}-program DEPENDS ${computes})
   add_custom_target(${name}-results DEPENDS ${results})
   add_custom_target(${name}-figures DEPENDS ${results} ${drawings})
+  add_custom_target(${name}-pdf DEPENDS "${stamp}")
   add_custom_target(${name} ALL DEPENDS "${output}/verdict.stamp")
 endfunction()
 
-# Who links the engine registers places in the code by paths that are relative to the project.
+# Makes the places that programs register relative to the project.
 function(_literate_relative_places)
   if(TARGET literate::literate)
     get_target_property(library literate::literate ALIASED_TARGET)
     if(NOT library)
       set(library literate::literate)
     endif()
-    file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}") # as ccache may write it
+    file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}") # as ccache may spell it
     string(REGEX REPLACE "/$" "" from_build "${from_build}")
     foreach(prefix IN ITEMS "${CMAKE_SOURCE_DIR}" "${from_build}")
       set(option "$<BUILD_INTERFACE:-fmacro-prefix-map=${prefix}/=>")
@@ -169,7 +172,7 @@ macro(_literate_absolute variable)
   set(${variable} "${absolute}")
 endmacro()
 
-# Writes the settings; the tools read nothing else of CMake's.
+# Writes the settings, the only file of CMake that the tools read.
 macro(_literate_write_settings)
   set(json "{\"versions\": {}}")
   foreach(pair IN ITEMS "CMake;${CMAKE_VERSION}" "compiler;${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
@@ -204,7 +207,7 @@ macro(_literate_write_settings)
   file(GENERATE OUTPUT "${settings}" CONTENT "${json}\n")
 endmacro()
 
-# A JSON string of any text.
+# Converts a text to a JSON string.
 function(_literate_json variable text)
   string(REPLACE "\\" "\\\\" text "${text}")
   string(REPLACE "\"" "\\\"" text "${text}")

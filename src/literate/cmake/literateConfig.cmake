@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# find_package(literate): literate_add_paper, the library literate::literate and the program literate-results. The same file serves an
-# installed engine, beside which is literateTargets.cmake, and a checkout, where the engine is built as a part of the paper.
+# find_package(literate) provides literate_add_paper, the library literate::literate and the program literate-results: from an
+# installed engine, which has literateTargets.cmake, or from a checkout, which the build of the paper compiles.
 include("${CMAKE_CURRENT_LIST_DIR}/LiteratePaper.cmake")
 if(EXISTS "${CMAKE_CURRENT_LIST_DIR}/literateTargets.cmake")
   cmake_path(SET literate_PREFIX NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../../..")
   set(literate_RESULTS "${literate_PREFIX}/bin/literate-results" CACHE INTERNAL "")
   get_property(literate_LANGUAGES GLOBAL PROPERTY ENABLED_LANGUAGES)
-  if("CXX" IN_LIST literate_LANGUAGES) # a paper by a script needs no compiler, and none of the libraries
+  if("CXX" IN_LIST literate_LANGUAGES) # a script needs neither compiler nor libraries
     include("${CMAKE_CURRENT_LIST_DIR}/literateDependencies.cmake")
     include("${CMAKE_CURRENT_LIST_DIR}/literateTargets.cmake")
   endif()

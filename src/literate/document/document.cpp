@@ -15,7 +15,7 @@
 namespace literate {
 namespace {
 
-/// Whether a text can be a key, as in `\val{…}`, or a name, which LaTeX completes to a file's.
+/// Whether a text can be a key, as in `\val{…}`, or the name of a file.
 bool is_key(std::string_view text, bool may_have_dots) {
   const auto is_allowed = [=](char c) {
     return sys::is_alphanumeric(c) || c == '-' || c == '_' || (c == '.' && may_have_dots);

@@ -16,18 +16,18 @@
 
 namespace literate {
 
-/// How much of a long computation is done. Any thread may read it.
+/// The progress of a long computation. Any thread may read it.
 struct Progress {
   std::atomic<long> done = 0, total = 0;
 };
 
 /// Collects what a computation registers.
 ///
-/// Keys of values, flags, checks and claims consist of letters, digits, '-', '_' and '.', and names
-/// of tables and figures of the same without '.'; the first is a letter or a digit. Each is
-/// registered once, and the document remembers the line of code that did it. Registering throws
-/// Error, with that line, for a key of another form, for one that is registered already, and for
-/// anything that cannot be printed.
+/// Keys of values, flags, checks and claims consist of letters, digits, '-', '_' and '.', and begin
+/// with a letter or a digit. Names of tables and figures have no '.'. Each key is registered once,
+/// and the document remembers the line of code that registered it. Registering throws Error, with
+/// that line, for an invalid key, for a key that is already registered, and for anything that
+/// cannot be printed.
 class Document {
  public:
   /// Registers a value: `\val{key}`.
@@ -41,38 +41,38 @@ class Document {
   /// Registers a table by its name: `\tab{name}`.
   void table(Table table, const Place& place = std::source_location::current());
 
-  /// Registers what a figure's script reads: `\fig{name}`.
+  /// Registers the data of a figure: `\fig{name}`.
   void figure(const std::string& name, Figure figure,
               const Place& place = std::source_location::current());
 
-  /// Registers something that must hold for the computation to be trusted: that all criteria hold,
-  /// or a fact that is no number. The statement is LaTeX.
+  /// Registers a condition that must hold before the computation can be trusted: either all
+  /// criteria hold, or `passed` is true. The statement is LaTeX.
   void check(const std::string& id, const std::vector<Criterion>& criteria, std::string statement,
              const Place& place = std::source_location::current());
   void check(const std::string& id, bool passed, std::string statement,
              const Place& place = std::source_location::current());
 
-  /// Registers a statement with its verdict: `\claim{id}`. Its sentence is in the prose:
-  /// `\statement{id}{…}`. It needs a route and at least one criterion.
+  /// Registers a claim: `\claim{id}`. The prose gives its sentence, `\statement{id}{…}`. A claim
+  /// needs a route and at least one criterion.
   void claim(const std::string& id, Claim claim,
              const Place& place = std::source_location::current());
 
-  /// Adds all that another document registered, after what this one has, so that parts can be
-  /// computed at the same time, by several threads or by a script (literate/results/read_document).
+  /// Appends everything registered in `part`, so that several threads, or a script
+  /// (literate/results/read_document), can compute parts of a document.
   void append(Document part);
 
-  /// Reports that `done` of `total` steps of a long computation are done. `compute` shows it on a
-  /// terminal, beside the seconds. Any thread may call this.
+  /// Reports that `done` of `total` steps of a long computation are complete. A terminal shows the
+  /// counts beside the elapsed seconds. Any thread may call this.
   void progress(long done, long total);
 
-  /// A value or table that is registered already. Throws Error with the nearest name if it is not.
+  /// Returns a registered value or table. Throws Error with the nearest name if there is none.
   const Value& value(const std::string& key,
                      const Place& place = std::source_location::current()) const;
   const Table& table(const std::string& name,
                      const Place& place = std::source_location::current()) const;
 
-  /// What was registered, by name; checks and claims in the order of registration: the first claim
-  /// is claim 1.
+  /// Everything registered, by name. Checks and claims are in the order of registration; the first
+  /// claim is claim 1.
   const std::map<std::string, Value>& values() const { return values_; }
   const std::map<std::string, bool>& flags() const { return flags_; }
   const std::map<std::string, Table>& tables() const { return tables_; }
@@ -80,21 +80,20 @@ class Document {
   const std::vector<std::pair<std::string, Check>>& checks() const { return checks_; }
   const std::vector<std::pair<std::string, Claim>>& claims() const { return claims_; }
 
-  /// Where something was registered; `kind` is value, flag, table, figure, check or claim.
+  /// The line that registered a name; `kind` is value, flag, table, figure, check or claim.
   const std::string& place_of(const std::string& kind, const std::string& name) const;
 
-  /// What keeps the document from being trusted: a line «place: …» for each check that failed and
-  /// each claim that has a different verdict than expected.
+  /// A line «place: …» for each failed check and each claim with an unexpected verdict.
   std::vector<std::string> faults() const;
 
-  /// The counts of progress(), which stay valid while the document is moved.
+  /// The counts of progress(). They stay valid when the document is moved.
   std::shared_ptr<const Progress> progress_so_far() const { return progress_; }
-  /// «value 'x' (src/main.cpp:31)», what was registered last; empty before the first.
+  /// The last registration, «value 'x' (src/main.cpp:31)»; empty before the first.
   const std::string& last_registered() const { return last_registered_; }
 
  private:
   void remember(const std::string& kind, const std::string& name, const Place& place);
-  /// Runs `make` and reports what it refuses with place, kind and name.
+  /// Runs `make`, and adds place, kind and name to its error.
   template <typename Make>
   static auto checked(const std::string& kind, const std::string& name, const Place& place,
                       Make&& make);

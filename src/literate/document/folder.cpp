@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* results_name = "results.json";
 
-/// The files that an earlier run wrote; none if it wrote no list that can be read.
-std::vector<std::string> former_files(const fs::path& folder) {
+/// The files that an earlier run wrote; none if its list cannot be read.
+std::vector<std::string> earlier_files(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / results_name, error)) return {};
   const auto json = nlohmann::json::parse(sys::read_file(folder / results_name), nullptr, false);
@@ -26,7 +26,7 @@ std::vector<std::string> former_files(const fs::path& folder) {
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
   for (const auto& file : json["files"]) {
     const fs::path name = file.is_string() ? fs::path(file.get<std::string>()) : fs::path();
-    // A list that somebody has edited must not reach other folders.
+    // An edited list must not reach other folders.
     const bool is_inside = name.is_relative() && std::ranges::find(name, "..") == name.end();
     if (!name.empty() && is_inside) files.push_back(name.generic_string());
   }
@@ -61,9 +61,9 @@ void write_folder(const Document& document, const fs::path& folder, const std::s
   for (const auto& [name, text] : files) names.push_back(name);
   const std::string results = results_json(document, case_name, names);
 
-  const std::vector<std::string> former = former_files(folder);
+  const std::vector<std::string> earlier = earlier_files(folder);
   for (const auto& [name, text] : files) sys::write_if_changed(folder / name, text);
-  for (const std::string& name : former) {
+  for (const std::string& name : earlier) {
     if (!files.contains(name) && name != results_name) sys::remove_file(folder / name);
   }
   sys::write_if_changed(folder / results_name, results);

@@ -8,13 +8,13 @@
 
 namespace literate {
 
-/// Writes all that LaTeX, gnuplot and the tools need of a document: values.tex, ledger.tex,
+/// Writes the files of a document for LaTeX, gnuplot and the tools: values.tex, ledger.tex,
 /// tables/, figures/, values.csv, claims.csv, tables.csv, and results.json last.
 ///
-/// Everything is put together in memory before the first file is written. A file whose content is
-/// the same keeps its time stamp. Files that the results.json of an earlier run lists and this run
-/// does not write are removed; any other file, such as a drawing, is left alone. `case_name` is
-/// what `\papercase` prints. Throws sys::OutputError for a folder that cannot be written.
+/// It assembles all files in memory before it writes the first. A file with unchanged content keeps
+/// its time stamp. Files listed in an earlier results.json that this run does not write are
+/// removed; all other files, such as drawings, stay. `\papercase` prints `case_name`. Throws
+/// sys::OutputError if the folder cannot be written.
 void write_folder(const Document& document, const std::filesystem::path& folder,
                   const std::string& case_name);
 

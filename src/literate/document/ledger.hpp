@@ -7,10 +7,10 @@
 
 namespace literate {
 
-/// ledger.tex: each claim with its criteria, as `\claimledger` prints them.
+/// Returns ledger.tex: each claim with its criteria, which `\claimledger` prints.
 std::string ledger_tex(const Document& document);
 
-/// claims.csv: a row for each criterion of each claim.
+/// Returns claims.csv: one row for each criterion of each claim.
 std::string claims_csv(const Document& document);
 
 }  // namespace literate

@@ -101,7 +101,7 @@ Json json_of(const std::vector<Criterion>& criteria) {
   return json;
 }
 
-/// An object with an entry for each of those that were registered.
+/// An object with one entry for each registered item.
 template <typename Registered, typename Entry>
 Json by_name(const Registered& registered, Entry&& entry) {
   Json json = Json::object();
@@ -109,7 +109,7 @@ Json by_name(const Registered& registered, Entry&& entry) {
   return json;
 }
 
-/// One line for each entry, so that two versions can be compared line by line.
+/// One line for each entry, so that diff can compare two versions.
 std::string laid_out(const Json& json) {
   std::string text;
   for (const auto& [key, value] : json.items()) {

@@ -8,11 +8,10 @@
 
 namespace literate {
 
-/// The number of the form of results.json; document/results.schema.json describes it.
+/// The version of results.json, which document/results.schema.json describes.
 inline constexpr int results_schema = 1;
 
-/// results.json: everything that was registered, with its place, and the names of the files of the
-/// folder.
+/// Returns results.json: everything registered, with its place, and the names of the written files.
 std::string results_json(const Document& document, const std::string& case_name,
                          const std::vector<std::string>& files);
 

@@ -7,13 +7,14 @@
 
 namespace literate {
 
-/// values.tex: what `\val`, `\ifflag`, `\tab`, `\fig` and `\claim` look up, a command a line.
+/// Returns values.tex, in which `\val`, `\ifflag`, `\tab`, `\fig` and `\claim` look up names: one
+/// command on each line.
 std::string values_tex(const Document& document, const std::string& case_name);
 
-/// values.csv: every value as it is printed and unrounded, with its uncertainty, unit and place.
+/// Returns values.csv: every value, printed and unrounded, with its errors, unit and place.
 std::string values_csv(const Document& document);
 
-/// tables.csv: every cell of every table.
+/// Returns tables.csv: every cell of every table.
 std::string tables_csv(const Document& document);
 
 }  // namespace literate

@@ -29,7 +29,7 @@ void require_identifier(const std::string& name) {
       std::ranges::all_of(name, [](char c) { return sys::is_alphanumeric(c) || c == '_'; });
   if (is_identifier) return;
   throw std::invalid_argument(fmt::format(
-      "'{}' is no name of a variable of gnuplot: letters, digits and '_', no digit first", name));
+      "'{}' cannot be a gnuplot variable: use letters, digits and '_', and no digit first", name));
 }
 
 // Only the bits of a NaN distinguish a gap from the NaN of a computation.
@@ -64,7 +64,7 @@ void require_columns(const std::string& block, const FigureData& data) {
   }
 }
 
-/// What `write` sends to gnuplot, as a text.
+/// Captures the commands that `write` sends to gnuplot.
 template <typename Write>
 std::string sent(Write&& write) {
   const sys::Descriptor memory(::memfd_create("figure", MFD_CLOEXEC));
@@ -78,14 +78,14 @@ std::string sent(Write&& write) {
   return sys::read_file(fmt::format("/proc/self/fd/{}", memory.number()));
 }
 
-// gnuplot takes a number without point and exponent for an integer, of which 1/2 is 0.
+// gnuplot reads a number without point or exponent as an integer, and computes 1/2 = 0 from it.
 std::string floating_point(double number) {
   const std::string text = round_trip(number);
   return text.find_first_of(".e") == text.npos ? text + ".0" : text;
 }
 
-// A script may set a decimal sign of its own, by which gnuplot would also read the data: 1.25 as 1.
-// A whole number with an exponent, 125e-2, has no decimal sign.
+// A script may set a different decimal sign, and gnuplot would then read 1.25 in the data as 1. An
+// integer with an exponent, 125e-2, has no decimal sign.
 std::string without_sign(double number) {
   if (std::isnan(number)) return "NaN";
   constexpr int most_plain = 5;
@@ -94,7 +94,7 @@ std::string without_sign(double number) {
   return fmt::format("{}{}e{}", digits.negative ? "-" : "", digits.digits, digits.place);
 }
 
-// In gnuplot's single quotes a quote is doubled and nothing else is special.
+// Inside single quotes gnuplot needs only the quote itself doubled.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
@@ -135,7 +135,7 @@ void require_drawable(const Figure& figure) {
 
 std::string figure_prelude(const std::string& name, const Figure& figure) {
   return sent([&](std::ostream& script) {
-    script << "# What the program says about figure " << name << "; its script follows.\n"
+    script << "# Data of the figure " << name << ", which gnuplot reads before its script.\n"
            << "set encoding utf8\nset decimalsign '.'\nset datafile separator comma\n"
            << "width_cm = " << floating_point(figure.width_cm) << "\n"
            << "height_cm = " << floating_point(figure.height_cm) << "\n"

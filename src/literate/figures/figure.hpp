@@ -11,10 +11,10 @@
 
 namespace literate {
 
-/// A point that is not there: a gap in a curve. It is a NaN that no computation makes by accident.
+/// A gap in a curve: a NaN with bits that no computation produces by accident.
 inline const double gap = std::nan("1");
 
-/// One block of data: columns of equal length under their names.
+/// One block of data: named columns of equal length.
 struct FigureData {
   using Column = std::pair<std::string, std::vector<double>>;
 
@@ -25,22 +25,22 @@ struct FigureData {
 
   std::vector<Column> columns;
 
-  /// For a surface over a grid of points: how many points make one row of the grid. A blank line
-  /// follows each row in the file, as gnuplot's `splot` needs it. 0 for curves.
+  /// For a surface: the number of points in each row of its grid. A blank line follows each row in
+  /// the file, as gnuplot's `splot` requires. 0 for curves.
   std::size_t row_length = 0;
 };
 
-/// What a program knows of one figure: what there is to draw, not how. How it looks is the business
-/// of a gnuplot script, figures/NAME.gp, which finds here
+/// The data of one figure. A gnuplot script, figures/NAME.gp, decides how it looks. These are
+/// variables of the script:
 ///
-/// - the name of each data block as a variable that holds the file's name, so that the script says
-///   `plot loads using "x":"triangular"`;
-/// - each number as a floating-point variable, which reads back as the same double;
-/// - each text as a string variable, LaTeX where it becomes a label;
+/// - each data block: a string with the name of its file, as in `plot loads using
+/// "x":"triangular"`;
+/// - each number: a floating-point variable, which reads back as the same double;
+/// - each text: a string, LaTeX if it becomes a label;
 /// - `width_cm` and `height_cm`.
 ///
-/// The names of blocks, numbers and texts are identifiers of gnuplot (letters, digits and
-/// underscores, no digit first) and differ from one another.
+/// The names of blocks, numbers and texts are distinct gnuplot identifiers: letters, digits and
+/// underscores, with no digit first.
 struct Figure {
   double width_cm = 0;
   double height_cm = 0;
@@ -49,17 +49,17 @@ struct Figure {
   std::map<std::string, std::string> texts = {};
 };
 
-/// Throws std::invalid_argument for what no script could read: a size that is not positive, a name
-/// that is no identifier or is given twice, a block without columns or points, columns of unequal
-/// length or equal names, a number that is neither finite nor a gap, a text of several lines.
+/// Throws std::invalid_argument if no script could draw the figure: for a size that is not
+/// positive, an invalid or repeated name, a block without columns or points, columns of unequal
+/// length or equal names, a number that is neither finite nor a gap, or a text of several lines.
 void require_drawable(const Figure& figure);
 
-/// The prelude, data.gp, that gnuplot reads before the figure's script: terminal, output NAME.tex
-/// with NAME.pdf, separators, variables. gnuplot has to run in the folder of the figure.
+/// Returns data.gp, which gnuplot reads before the figure's script: terminal, output NAME.tex with
+/// NAME.pdf, separators and variables. gnuplot must run in the folder of the figure.
 std::string figure_prelude(const std::string& name, const Figure& figure);
 
-/// A block as CSV, with the names of its columns in the first line. Numbers are written as whole
-/// numbers with an exponent, 125e-2, which read back as the same doubles under any decimal sign.
+/// Returns a block as CSV with the names of its columns in the first line. Numbers are integers
+/// with an exponent, 125e-2, which read back as the same doubles under any decimal sign.
 std::string figure_csv(const FigureData& data);
 
 }  // namespace literate

@@ -21,7 +21,7 @@ namespace literate {
 namespace fs = std::filesystem;
 namespace {
 
-/// Shows on a terminal for how long something has been computed, and how far it is.
+/// Shows the elapsed time and the progress on a terminal.
 class Clock {
  public:
   explicit Clock(std::shared_ptr<const Progress> progress) : progress_(std::move(progress)) {
@@ -52,8 +52,8 @@ class Clock {
   std::optional<std::jthread> thread_;
 };
 
-/// Computes; what the author's code throws without a place becomes a ComputationError that names
-/// what was registered last.
+/// Computes. An exception from the author's code has no place, so it becomes a ComputationError
+/// that names the last registration.
 Document computed(const Compute& compute, const fs::path& case_file) {
   Document document;
   const Clock clock(document.progress_so_far());
@@ -77,7 +77,7 @@ int run(const std::function<sys::ExitCode()>& program) {
     return static_cast<int>(program());
   } catch (const sys::Error& error) {
     fmt::print(stderr, "{}\n", error.what());
-    // 1 means that the folder is complete, which it is not.
+    // 1 would mean that the folder is complete.
     if (error.exit_code() != sys::ExitCode::failed) exit_code = error.exit_code();
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

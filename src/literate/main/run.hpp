@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the programs of papers and literate-results have in common.
+// Shared by the programs of papers and literate-results.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,12 @@
 
 namespace literate {
 
-/// Runs a program. An exception becomes a line on standard error and the exit code 2 for bad input,
-/// or 3 for anything else.
+/// Runs a program and returns its exit code. An exception prints one line on standard error and
+/// gives 2 for bad input, 3 for anything else.
 int run(const std::function<sys::ExitCode()>& program);
 
-/// Writes the folder, and a line on standard error for each check that failed and each claim with a
-/// different verdict than expected; these give the exit code 1.
+/// Writes the folder and prints, on standard error, each failed check and each claim with an
+/// unexpected verdict. If there is one, the exit code is 1.
 sys::ExitCode write_and_report(const Document& document, const std::filesystem::path& folder,
                                const std::string& case_name);
 

@@ -18,7 +18,7 @@
         <xsl:variable name="text">
           <xsl:apply-templates select="ancestor::*[ltx:caption][1]/ltx:caption/node()" mode="plain"/>
         </xsl:variable>
-        <!-- without the invisible signs of formulas -->
+        <!-- without invisible characters of formulas -->
         <xsl:value-of select="normalize-space(translate($text, '&#x2061;&#x2062;&#x2063;', ''))"/>
       </xsl:attribute>
     </img>
@@ -33,7 +33,7 @@
     <xsl:if test="normalize-space($dates)"><div class="ltx_dates"><xsl:apply-templates select="$dates/node()"/></div></xsl:if>
   </xsl:template>
 
-  <!-- The head of a column is a <th> if it has words: axe finds a head empty that is a formula alone. -->
+  <!-- The head of a column is a <th> only if it has words: axe treats a head with nothing but a formula as empty. -->
   <xsl:template match="ltx:td[@thead]">
     <xsl:variable name="words" select=".//text()[normalize-space() and not(ancestor::m:math)]"/>
     <xsl:element name="{substring('thtd', 1 + 2 * not($words), 2)}">

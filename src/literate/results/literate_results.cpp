@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rounds and decides what a script registered, and writes the folder of a paper.
+// Rounds the numbers that a script registered, decides its claims, and writes the paper's folder.
 #include <fmt/core.h>
 
 #include <cstdio>

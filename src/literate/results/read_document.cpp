@@ -27,8 +27,7 @@ std::string text_or_nothing(const StrictJson& json, const std::string& key) {
   return text ? text->text() : "";
 }
 
-/// The number with its uncertainty; none if the script gives neither a bound nor a standard
-/// uncertainty.
+/// The number with its errors; none if the script gives neither a bound nor a standard uncertainty.
 std::optional<Number> known_of(const StrictJson& json) {
   const auto bound = json.find("bound"), standard = json.find("standard");
   if (!bound && !standard) return std::nullopt;
@@ -137,7 +136,7 @@ LimitKind kind_of(const StrictJson& json) {
        {LimitKind::theory, LimitKind::data, LimitKind::method, LimitKind::choice}) {
     if (name == name_of(kind)) return kind;
   }
-  json.fail(fmt::format("'{}' is no kind of limit: theory, data, method or choice", name));
+  json.fail(fmt::format("'{}' is not a kind of limit: theory, data, method or choice", name));
 }
 
 Limit limit_of(const StrictJson& json) {
@@ -173,7 +172,7 @@ Criterion criterion_of(const StrictJson& json, const Place& place) {
                             : Criterion::agrees_relatively(name, quantity, stated, limit, place);
   }
   json["test"].fail(fmt::format(
-      "'{}' is no test: at_most, at_least, agrees, agrees_relatively or in_each", test));
+      "'{}' is not a test: at_most, at_least, agrees, agrees_relatively or in_each", test));
 }
 
 std::vector<Criterion> criteria_of(const StrictJson& json, const Place& place) {

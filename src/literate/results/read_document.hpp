@@ -7,11 +7,10 @@
 
 namespace literate {
 
-/// Reads what a script in any language registered, as document.schema.json in this folder describes
-/// it, with the same rules as for a C++ program. What names no place has the file's name as
-/// its place. Throws Error «FILE: key: …» for a file that is not of this form: no JSON, a key
-/// twice, an unknown key (with the nearest known one), a different schema, and whatever Document
-/// refuses.
+/// Reads the document that a script in any language wrote. document.schema.json in this folder
+/// describes it; the rules are those of a C++ program. An entry without a place gets the name of
+/// the file. Throws Error «FILE: key: …» for invalid JSON, a repeated key, an unknown key (with the
+/// nearest known one), a different schema, and whatever Document refuses.
 Document read_document(const std::filesystem::path& file);
 
 }  // namespace literate

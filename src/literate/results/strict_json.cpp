@@ -16,7 +16,7 @@ namespace literate {
 StrictJson StrictJson::parse_file(const std::filesystem::path& file) {
   const std::string text = sys::read_file(file);
   const std::string name = file.generic_string();
-  std::vector<std::pair<std::string, std::set<std::string>>> open;  // objects, with their own key
+  std::vector<std::pair<std::string, std::set<std::string>>> open;  // open objects with their key
   std::string last_key;
   const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
     if (event == Json::parse_event_t::object_start)

@@ -13,14 +13,15 @@
 
 namespace literate {
 
-/// A value in a JSON file that is read strictly: a key that is missing, unknown, given twice or of
-/// the wrong type is an Error «FILE: values.period.bound: …». A copy is a view of the same file.
+/// A value in a JSON file that is read strictly: a missing, unknown or repeated key, or one of the
+/// wrong type, is an Error «FILE: values.period.bound: …». A copy is a view of the same file.
 class StrictJson {
  public:
-  /// Parses a file. Throws Error if it is not JSON or has a key twice, with line and column.
+  /// Parses a file. Throws Error, with line and column, for invalid JSON or a repeated key.
   static StrictJson parse_file(const std::filesystem::path& file);
 
-  /// Throws Error unless it is an object all of whose keys are among these, with the nearest one.
+  /// Throws Error unless this is an object with no other keys. The message suggests the nearest
+  /// key.
   void require_keys(std::initializer_list<std::string_view> allowed) const;
 
   bool has(const std::string& key) const;
@@ -42,10 +43,10 @@ class StrictJson {
   bool boolean() const;
 
   const std::string& file() const { return file_; }
-  /// Throws Error with the file, the keys that lead here, and the message.
+  /// Throws Error with the file, the path of keys to this value, and the message.
   [[noreturn]] void fail(std::string_view message) const;
 
-  /// Runs `make`, and fails with what it refuses by std::invalid_argument.
+  /// Runs `make`, and turns its std::invalid_argument into an Error at this value.
   template <typename Make>
   auto at_this(Make&& make) const {
     try {

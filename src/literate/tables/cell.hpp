@@ -13,8 +13,8 @@ namespace literate {
 
 /// A number, a text, or nothing. A text is plain and is escaped, unless Cell::latex made it.
 ///
-/// An integer is exact and an Estimate or a Number has its uncertainty. A bare double is accepted
-/// only in a column of exact numbers.
+/// An integer is exact; an Estimate or a Number has its errors. Only a column of exact numbers
+/// accepts a bare double.
 class Cell {
  public:
   Cell() = default;
@@ -28,11 +28,11 @@ class Cell {
   Cell(const std::string& text) : Cell(std::string_view(text)) {}
   Cell(const char* text) : Cell(std::string_view(text)) {}
 
-  /// A number that another source prints with its last digit at 10^place: it keeps these digits,
-  /// whatever the column says, and claims no error.
+  /// A number that a different source prints with its last digit at 10^place. It keeps these digits
+  /// in any column, and has no error.
   static Cell quoted(double number, int place);
 
-  /// A text that is LaTeX already.
+  /// A text in LaTeX.
   static Cell latex(std::string text);
 
   bool is_empty() const { return std::holds_alternative<std::monostate>(content_); }
@@ -40,10 +40,10 @@ class Cell {
   const double* number() const { return std::get_if<double>(&content_); }
   /// The text as LaTeX, or null.
   const std::string* text() const { return std::get_if<std::string>(&content_); }
-  /// The text as it was given: plain, or LaTeX if is_latex().
+  /// The text as given: plain, or LaTeX if is_latex().
   const std::string& given() const { return given_; }
   bool is_latex() const { return is_latex_; }
-  /// The number with its uncertainty; none for a bare or a quoted one.
+  /// The number with its errors; none for a bare or a quoted number.
   const std::optional<Number>& known() const { return known_; }
   /// The place of a quoted number's last digit.
   const std::optional<int>& place() const { return place_; }

@@ -14,8 +14,7 @@
 namespace literate {
 namespace {
 
-/// The decimal number that is meant where the arithmetic of a grid left something of it: 0.3 for
-/// 3 · 0.1.
+/// The intended decimal number if arithmetic left a rounding error: 0.3 for 3 · 0.1.
 double meant(double number) {
   constexpr double noise = 4 * std::numeric_limits<double>::epsilon();
   constexpr int n_digits = 12;
@@ -23,7 +22,7 @@ double meant(double number) {
   return std::abs(decimal - number) <= noise * std::abs(number) ? decimal : number;
 }
 
-/// The format with as many digits as a bare number of an exact column needs.
+/// The format with enough digits for a bare number of an exact column.
 Format with_all_digits(const Format& format, double number, int ones) {
   const Decimal digits = shortest(number);
   if (format.notation() == Notation::fixed) {
@@ -63,7 +62,7 @@ std::string blank(const std::string& what) {
   return what.empty() ? "" : "\\hphantom{" + what + "}";
 }
 
-/// A blank as wide as the digits and separators that `n` digits lack to make `wanted`.
+/// A blank as wide as the digits and separators by which `n` digits are shorter than `wanted`.
 std::string blank_digits(std::size_t n, std::size_t wanted) {
   const auto n_separators = [](std::size_t digits) { return digits < 5 ? 0 : (digits - 1) / 3; };
   std::string separators;
@@ -103,7 +102,8 @@ void require_printable(const Column& column, const Cell& cell) {
   if (!std::isfinite(*cell.number())) throw std::invalid_argument(digits + " is not finite");
   if (!cell.known() && !cell.place() && !column.is_exact()) {
     throw std::invalid_argument(
-        digits + " comes without its error: give an Estimate, or declare the column .exact()");
+        digits +
+        " has no error: give its bound or standard uncertainty, or declare the column exact");
   }
   (void)rounded_in(*column.numbers(), column.is_exact(), cell, column.exponent());
 }
@@ -112,7 +112,7 @@ PrintedColumn::PrintedColumn(const Column& column, const std::vector<const Cell*
     : column_(column), exponent_(column.exponent()) {
   std::optional<Format> format = column.numbers();
   if (format && format->notation() == Notation::significant) {
-    // The largest number has the digits, and the head its power of ten where that is not plain.
+    // The format's digits are those of the largest number. Its power of ten goes into the head.
     constexpr int least_plain = -3;
     const int n_digits = format->digits();
     const int ones = format->is_percentage() ? -2 : 0;
@@ -166,7 +166,7 @@ std::string PrintedColumn::aligned(const RoundedNumber& number) const {
   const bool has_brackets = number.exponent && !number.bound.empty();
   std::string text = blank_digits(width.n_whole, widest_.n_whole);
   if (has_brackets) text += "(";
-  // In braces the sign belongs to the number; behind a blank it would be an operator, with spaces.
+  // Braces tie the sign to the number. After a blank it would be a binary operator, with spaces.
   if (widest_.negative) text += digits.negative ? "{-}" : blank("-");
   text += grouped(digits.whole, false);
   if (!digits.decimals.empty()) text += "." + grouped(digits.decimals, true);
@@ -177,7 +177,7 @@ std::string PrintedColumn::aligned(const RoundedNumber& number) const {
   };
   if (number.exponent) text += power(width.exponent);
 
-  // What others have behind this number.
+  // Room for the errors and exponents of other numbers.
   if (digits.decimals.empty() && widest_.n_decimals > 0) text += blank(".");
   text += blank_digits(width.n_decimals, widest_.n_decimals);
   if (width.error.size() < widest_.error.size()) {

@@ -11,12 +11,12 @@
 
 namespace literate {
 
-/// Throws std::invalid_argument for a cell that the column cannot print: a number that is not
-/// finite, a bare number unless the column is exact, a number in a column of texts, and whatever
+/// Throws std::invalid_argument if the column cannot print the cell: for a number that is not
+/// finite, a bare number in a column that is not exact, a number in a column of texts, and whatever
 /// the column's format refuses.
 void require_printable(const Column& column, const Cell& cell);
 
-/// One column of a table as it is printed. All its cells must be printable.
+/// Prints one column of a table, all of whose cells must be printable.
 class PrintedColumn {
  public:
   PrintedColumn(const Column& column, const std::vector<const Cell*>& cells);
@@ -27,19 +27,18 @@ class PrintedColumn {
   const std::string& heading() const { return column_.heading(); }
   const std::string& group() const { return column_.group(); }
 
-  /// The unit in parentheses, with the power of ten that all numbers share; empty if there is
-  /// neither. LaTeX.
+  /// The unit in parentheses with the common power of ten, as LaTeX; empty without both.
   std::string unit() const;
 
-  /// A cell as LaTeX. Numbers are padded with blanks to one width, so that their points are below
-  /// one another in a centred column.
+  /// A cell as LaTeX. Blanks pad all numbers to one width, so that a centred column aligns their
+  /// points.
   std::string cell(std::size_t row) const;
 
-  /// A cell as plain text; a number with the power of ten of the head.
+  /// A cell as plain text; a number includes the power of ten of the head.
   std::string plain(std::size_t row) const;
 
  private:
-  /// The digits left and right of the point and what follows them, as far as they need room.
+  /// The space that a number needs left and right of its point, and for its error and exponent.
   struct Width {
     bool negative = false;
     std::size_t n_whole = 1;
@@ -48,7 +47,7 @@ class PrintedColumn {
     std::string exponent;  ///< the longest of «-6»
   };
   struct Printed {
-    std::string text;  ///< of a cell that is no number
+    std::string text;  ///< of a cell without a number
     std::optional<RoundedNumber> number;
   };
 

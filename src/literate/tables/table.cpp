@@ -30,8 +30,8 @@ Columns printed_columns(const Table& table) {
   return columns;
 }
 
-/// One line of the tabular. The empty group in front keeps a cell that begins with [ or * from
-/// being taken for an argument of the rule or the \\ before it.
+/// One line of the tabular. The empty group in front keeps LaTeX from reading a cell that begins
+/// with [ or * as an argument of the rule or the \\ before it.
 template <typename CellText>
 std::string line(const Columns& columns, CellText&& text) {
   std::vector<std::string> cells;
@@ -39,7 +39,7 @@ std::string line(const Columns& columns, CellText&& text) {
   return fmt::format("  {{}}{} \\\\\n", fmt::join(cells, " & "));
 }
 
-/// The headings over several columns, each with a rule below it; empty if there are none.
+/// The headings that span several columns, each with a rule below it; empty if there are none.
 std::string spanning_headings(const Columns& columns) {
   std::vector<std::string> cells, rules;
   for (std::size_t first = 0; first < columns.size();) {
@@ -140,7 +140,7 @@ std::vector<std::vector<std::string>> Table::printed() const {
 }
 
 std::string Table::csv() const {
-  // Which columns of errors follow a column.
+  // The columns of errors that follow a column.
   struct Errors {
     bool has_bound = false, has_standard = false;
   };

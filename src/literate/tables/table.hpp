@@ -10,18 +10,18 @@
 
 namespace literate {
 
-/// A table, written as a booktabs tabular with the numbers of each column aligned at their points.
+/// A table, printed as a booktabs tabular that aligns the numbers of a column at their points.
 class Table {
  public:
   /// Throws Error if there is no column. `name` is that of `\tab{name}`.
   Table(std::string name, std::vector<Column> columns,
         const Place& place = std::source_location::current());
 
-  /// Adds a row. Throws Error, naming table, row and column, unless the row has one cell for each
-  /// column and each column can print its cell.
+  /// Adds a row with one cell for each column. Throws Error, with table, row and column, for a
+  /// different number of cells and for a cell that its column cannot print.
   Table& add_row(std::vector<Cell> cells, const Place& place = std::source_location::current());
 
-  /// Adds a note below the table, LaTeX.
+  /// Adds a note (LaTeX) below the table.
   Table& note(std::string text, const Place& place = std::source_location::current());
 
   const std::string& name() const { return name_; }
@@ -29,19 +29,20 @@ class Table {
   const std::vector<std::vector<Cell>>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
 
-  /// Which column has this heading. Throws Error, with the nearest heading, unless one has.
+  /// Returns the index of the column with this heading. Throws Error, with the nearest heading,
+  /// unless exactly one column has it.
   std::size_t column(const std::string& heading,
                      const Place& place = std::source_location::current()) const;
 
-  /// The tabular, with its notes below it. It needs LaTeX's own commands, booktabs and array.
+  /// Returns the tabular and its notes as LaTeX, which needs the packages booktabs and array.
   std::string latex() const;
 
-  /// The rows as CSV: headings with units, numbers that read back the same, a percentage as its
-  /// ratio. A column whose numbers have bounds or standard uncertainties is followed by one for
-  /// these, «bound» or «standard». The notes follow as lines that begin with #.
+  /// Returns the rows as CSV: headings with units, numbers that read back as the same doubles, and
+  /// percentages as ratios. After a column whose numbers have bounds or standard uncertainties
+  /// follow the columns «bound» and «standard». The notes are lines that begin with #.
   std::string csv() const;
 
-  /// What each cell prints, as plain text with the power of ten of the head: 3.5e-2.
+  /// Returns each printed cell as plain text, with the power of ten of the head: 3.5e-2.
   std::vector<std::vector<std::string>> printed() const;
 
  private:

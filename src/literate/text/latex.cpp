@@ -10,7 +10,7 @@
 namespace literate {
 namespace {
 
-/// LaTeX for a character that is a command, or that is missing in the fonts of some encodings.
+/// LaTeX for a character that TeX interprets, or that some font encodings lack.
 std::string_view command_of(char c) {
   switch (c) {
     case '\\':
@@ -34,7 +34,7 @@ std::string_view command_of(char c) {
   }
 }
 
-/// Fonts print a different sign for two of these in a row: --, '', ,, and so on.
+/// Two of these in a row are a ligature: --, '', ,, and so on.
 constexpr std::string_view joined = "-',";
 constexpr std::string_view escaped_by_backslash = "%#&_${}";
 
@@ -42,9 +42,9 @@ constexpr std::string_view escaped_by_backslash = "%#&_${}";
 
 std::string latex_escaped(std::string_view text) {
   std::string escaped;
-  char former = ' ';
+  char previous = ' ';
   for (const char c : text) {
-    if (c == former && joined.find(c) != joined.npos) escaped += "{}";
+    if (c == previous && joined.find(c) != joined.npos) escaped += "{}";
     const std::string_view command = command_of(c);
     if (!command.empty()) {
       escaped += command;
@@ -54,7 +54,7 @@ std::string latex_escaped(std::string_view text) {
       if (escaped_by_backslash.find(c) != escaped_by_backslash.npos) escaped += '\\';
       escaped += c;
     }
-    former = c;
+    previous = c;
   }
   return escaped;
 }
@@ -73,14 +73,14 @@ std::string author_latex(std::string_view latex) {
   }
   if (depth != 0)
     throw std::invalid_argument(fmt::format("the braces of '{}' do not match", latex));
-  // A backslash at the end would take what the engine writes behind it.
+  // A backslash at the end would escape the engine's next character.
   if (is_escaped) throw std::invalid_argument(fmt::format("'{}' ends with a backslash", latex));
   return result;
 }
 
 void require_utf8(std::string_view text) {
   try {
-    (void)nlohmann::json(text).dump();  // which results.json could not hold otherwise
+    (void)nlohmann::json(text).dump();  // results.json needs UTF-8
   } catch (const nlohmann::json::type_error&) {
     const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     const auto end = std::ranges::find_if_not(text, is_ascii);

@@ -6,14 +6,14 @@
 
 namespace literate {
 
-/// Escapes plain UTF-8 text so that LaTeX prints it character by character: neither commands nor
-/// ligatures such as -- or ?` are left. Characters beyond ASCII stay as they are; pdfLaTeX knows
-/// the accented letters and typographic signs among them. Control characters become blanks.
+/// Escapes plain UTF-8 text so that LaTeX prints it character by character, without commands and
+/// without ligatures such as -- or ?`. Characters beyond ASCII stay; pdfLaTeX knows the accented
+/// letters and typographic signs among them. Control characters become blanks.
 std::string latex_escaped(std::string_view text);
 
-/// Returns LaTeX that an author wrote, fit to stand between what the engine writes. A % that is not
-/// escaped is, since a text of a program has no comments: «share in %» prints its sign. Throws
-/// std::invalid_argument for braces that do not match, and for a text that is not UTF-8.
+/// Makes an author's LaTeX safe to embed in the engine's files. It escapes a bare %, since a text
+/// in a program has no comments: «share in %» prints the sign. Throws std::invalid_argument for
+/// unmatched braces, a backslash at the end, and a text that is not UTF-8.
 std::string author_latex(std::string_view latex);
 
 /// Throws std::invalid_argument for a text that is not UTF-8.

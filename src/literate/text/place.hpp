@@ -10,17 +10,17 @@
 
 namespace literate {
 
-/// A mistake in what a computation or a script registers. what() is one line that begins with its
-/// place; a program that does not catch it ends with 2.
+/// An error in what a computation or a script registers. what() is one line that begins with the
+/// place. A program that does not catch it exits with 2.
 class Error : public sys::InputError {
  public:
   using InputError::InputError;
 };
 
-/// Where something was registered: «src/main.cpp:31», relative to the repository, or whatever a
+/// The place of a registration: «src/main.cpp:31», relative to the repository, or the place that a
 /// script gave.
 struct Place {
-  // NOLINTNEXTLINE(google-explicit-constructor): what registers something takes its caller's
+  // NOLINTNEXTLINE(google-explicit-constructor): default arguments pass the caller's line
   Place(const std::source_location& location);
   explicit Place(std::string script_place) : text(std::move(script_place)) {}
 

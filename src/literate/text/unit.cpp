@@ -15,8 +15,8 @@ namespace literate {
 namespace {
 
 struct Sign {
-  std::string_view name;   ///< as UDUNITS-2 knows it
-  std::string_view plain;  ///< what is printed for it
+  std::string_view name;   ///< in UDUNITS-2
+  std::string_view plain;  ///< as printed
   std::string_view latex;
 };
 
@@ -29,7 +29,7 @@ constexpr auto signs = std::to_array<Sign>({
     {"\"", "″", "^{\\prime\\prime}"},
 });
 
-/// Signs in a name that a font for mathematics has elsewhere.
+/// Letters in names that need a command in math mode.
 constexpr auto letters = std::to_array<Sign>({
     {"ohm", "Ω", "\\Omega "},
     {"Ω", "Ω", "\\Omega "},
@@ -38,7 +38,7 @@ constexpr auto letters = std::to_array<Sign>({
     {"Å", "Å", "\\mbox{\\AA}"},
 });
 
-/// Units in which a «u» in front is micro, and not part of a name such as «unit».
+/// Units in which a leading «u» means micro. In others it is part of the name, such as «unit».
 constexpr std::array<std::string_view, 12> after_micro{"m", "s", "g", "N",   "Pa", "A",
                                                        "V", "W", "J", "rad", "K",  "L"};
 
@@ -48,7 +48,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
   }
 }
 
-/// One name of a unit and its power, «s-1».
+/// The name of a unit and its power, «s-1».
 struct Factor {
   std::string name;
   std::string power;  ///< empty for 1
@@ -82,7 +82,7 @@ struct Factor {
   }
 };
 
-/// Reads a text that UDUNITS-2 has accepted into its factors.
+/// Splits a unit that UDUNITS-2 has accepted into its factors.
 class Reader {
  public:
   explicit Reader(std::string_view unit) : rest_(unit) {}
@@ -136,7 +136,7 @@ class Reader {
     return factor;
   }
 
-  /// Whether the rest of a name from here on is nothing but its power, as in m2.
+  /// Whether the rest of the name is only its power, as in m2.
   bool ends_in_power(std::size_t at) const {
     while (at < rest_.size() && sys::is_digit(rest_[at])) {
       ++at;
@@ -173,12 +173,12 @@ std::vector<Factor> factors_of(std::string_view unit) {
     if (std::ranges::none_of(factors, is_number)) return factors;
   }
   throw std::invalid_argument(
-      fmt::format("'{}' is no unit that UDUNITS-2 knows; units are spelt as lbf/in, m s-1, "
+      fmt::format("'{}' is not a unit that UDUNITS-2 knows; units are spelt as lbf/in, m s-1, "
                   "W/(m2.K), um, degC or %",
                   unit));
 }
 
-/// Factors with a sign between them, those that divide behind a slash.
+/// Joins factors with a sign; those that divide follow a slash.
 template <typename Print>
 std::string print_of(const std::vector<Factor>& factors, std::string_view times, Print&& print) {
   std::string above, below;

@@ -6,14 +6,15 @@
 
 namespace literate {
 
-/// A unit is spelt as UDUNITS-2 reads it: "lbf/in", "lbf.s^2/in^4", "m s-1", "W/(m2.K)", "um",
-/// "degC", "%". An empty text, or "1", is no unit. Each function throws std::invalid_argument for a
-/// text that UDUNITS-2 does not know.
+/// Units have the spelling of UDUNITS-2: "lbf/in", "lbf.s^2/in^4", "m s-1", "W/(m2.K)", "um",
+/// "degC",
+/// "%". An empty text, or "1", means no unit. Each function throws std::invalid_argument for a unit
+/// that UDUNITS-2 does not know.
 
-/// The unit as plain text: «lbf s²/in⁴», «m s⁻¹», «µm», «°C»; empty for no unit.
+/// Returns the unit as plain text: «lbf s²/in⁴», «m s⁻¹», «µm», «°C»; empty for no unit.
 std::string plain_unit(std::string_view unit);
 
-/// The unit as LaTeX for math mode: `\mathrm{lbf}\,\mathrm{s}^{2}/\mathrm{in}^{4}`.
+/// Returns the unit as LaTeX for math mode: `\mathrm{lbf}\,\mathrm{s}^{2}/\mathrm{in}^{4}`.
 std::string latex_unit(std::string_view unit);
 
 /// Whether the unit follows its number without a space, as in 90°.

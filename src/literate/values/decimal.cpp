@@ -27,7 +27,7 @@ Decimal converted(double value, std::chars_format format, int precision) {
   return decimal;
 }
 
-/// The next number with the same last place, away from zero.
+/// Steps away from zero by one unit of the last place.
 void increment(Decimal& number) {
   auto digit = number.digits.rbegin();
   for (; digit != number.digits.rend() && *digit == '9'; ++digit) *digit = '0';
@@ -38,7 +38,7 @@ void increment(Decimal& number) {
   }
 }
 
-/// Rounds to a place left of the point, for which std::to_chars has no form.
+/// Rounds to a place left of the point, which std::to_chars cannot do.
 Decimal rounded_left_of_point(double value, int place) {
   Buffer buffer;
   const std::string_view exact =
@@ -78,7 +78,7 @@ Decimal rounded_up_to_place(double value, int place) {
 
 Decimal rounded_up_to_digits(double value, int n_digits) {
   const Decimal up = rounded_up_to_place(value, rounded_to_digits(value, n_digits).place);
-  // Rounding 9.3 up to 10 gives a digit too many.
+  // Rounding 9.3 up to 10 yields one digit too many.
   const bool is_longer = up.digits.size() > static_cast<std::size_t>(n_digits);
   return is_longer ? rounded_to_digits(number_of(up), n_digits) : up;
 }
@@ -92,8 +92,8 @@ int leading_place(const Decimal& number) {
 }
 
 double decimal_difference(double a, double b) {
-  // Rounded to the last place of both, the difference of the doubles is that of the decimals, as
-  // long as the doubles resolve this place; where they do not, it stays as it is.
+  // Rounded to the last place of both, the difference of the doubles is that of the decimals. If
+  // the doubles do not resolve this place, the difference is left unrounded.
   const int place = std::min(shortest(a).place, shortest(b).place);
   const double difference = a - b;
   const double largest = std::max(std::abs(a), std::abs(b));

@@ -7,8 +7,8 @@
 
 namespace literate {
 
-/// All functions here that make a decimal number round the exact binary value, ties to even, as
-/// std::to_chars does. None depends on the locale, and all take finite numbers only.
+/// These functions round the exact binary value, ties to even, as std::to_chars does. They do not
+/// depend on the locale, and take finite numbers only.
 using sys::Decimal;
 using sys::number_of;
 using sys::shortest;
@@ -16,10 +16,10 @@ using sys::shortest;
 /// Rounds to a multiple of 10^place: (9.996, −2) is 10.00 and (1250, 2) is 12·10².
 Decimal rounded_to_place(double value, int place);
 
-/// Rounds to `n_digits` ≥ 1 significant digits. Zero is a plain 0.
+/// Rounds to `n_digits` ≥ 1 significant digits. Zero has one digit.
 Decimal rounded_to_digits(double value, int n_digits);
 
-/// Round as those do, but up: to the least such number that is not below `value` ≥ 0.
+/// Rounds up, to the least such number that is not below `value` ≥ 0.
 Decimal rounded_up_to_place(double value, int place);
 Decimal rounded_up_to_digits(double value, int n_digits);
 
@@ -31,10 +31,10 @@ int leading_place(const Decimal& number);
 /// a − b of the two decimal numbers that print as these doubles: 2.6 − 2.5 is 0.1.
 double decimal_difference(double a, double b);
 
-/// a + b − (a + b) as it is rounded, exactly (Knuth's TwoSum).
+/// The exact rounding error of a + b: the sum less its rounded value (Knuth's TwoSum).
 double error_of_sum(double a, double b);
 
-/// a + b and a·b, no less than they are, and exact where these are doubles.
+/// Upper bounds of a + b and a·b, which are exact if the result is a double.
 double add_up(double a, double b);
 double multiply_up(double a, double b);
 

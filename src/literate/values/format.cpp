@@ -86,7 +86,7 @@ std::string Format::text() const {
 Format Format::parse(std::string_view text) {
   const auto fails = [text] {
     return std::invalid_argument(fmt::format(
-        "'{}' is no format: significant(4), fixed(2), scientific(3), percent(1), integer(), "
+        "'{}' is not a format: significant(4), fixed(2), scientific(3), percent(1), integer(), "
         "exact() or uncertain(), with .in_percent() or .rounded_up() behind it",
         text));
   };

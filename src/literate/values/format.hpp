@@ -8,10 +8,10 @@ namespace literate {
 
 enum class Notation { significant, fixed, scientific, integer, exact, uncertain };
 
-/// significant, fixed, scientific, integer, exact or uncertain.
+/// Returns significant, fixed, scientific, integer, exact or uncertain.
 std::string_view name_of(Notation notation);
 
-/// Whether the format of such numbers says how many digits there are.
+/// Whether a format with this notation has a number of digits.
 bool has_digits(Notation notation);
 
 /// How a number is printed, in the text and in the columns of tables.
@@ -20,54 +20,54 @@ bool has_digits(Notation notation);
 ///     fixed(2)         992.76    two digits after the point
 ///     scientific(3)    9.93e2    three significant digits and a power of ten
 ///     percent(1)       12.5 %    fixed(1) of a ratio, in per cent; = fixed(1).in_percent()
-///     integer()        31220     a whole number with all its digits; refuses a fraction
+///     integer()        31220     a whole number with all of its digits; refuses a fraction
 ///     exact()          9.80665   the fewest digits that read back as the same double: a parameter
-///     uncertain()      994(22)   the number with what is not known of it
+///     uncertain()      994(22)   the number with its error
 ///
-/// **Digits are earned.** All formats round half to even from the exact binary value, and print no
-/// digit that the number's uncertainty does not support:
+/// **Digits are earned.** All formats round half to even from the exact binary value, and omit
+/// digits that the number's error does not support:
 ///
 /// - A *bound* b supports the digit at 10^p if 10^p ≥ b: 5.002 with a bound of 0.11 is 5, and with
 ///   0.1 it is 5.0.
-/// - A *standard uncertainty* u supports the digits down to that of its own first digit: 79.4 with
+/// - A *standard uncertainty* u supports digits down to the place of its first digit: 79.4 with
 ///   u = 0.3 is 79.4, and 0.095 with u = 0.022 is 0.10.
-/// - Zeros that only fill the places up to the point are not printed unless they are known. 1250 to
-///   two digits is 1.2e3, whether it is exact or not; the exact 1200 is 1200.
+/// - Zeros that only fill the places up to the point are omitted unless they are known. 1250 to two
+///   digits is 1.2e3, whether it is exact or not; the exact 1200 is 1200.
 ///
-/// A number that fixed() would print as zero, though it is not zero, prints its first two digits
-/// instead, or as many of them as it earned. Where no digit but zeros is earned, the number is
-/// printed as uncertain() prints it: 0.0012 with a bound of 0.0018 and fixed(1) is 0.0 since it may
-/// be zero, but −0.0047 with that bound is known to differ from zero and is −0.0047 ± 0.0018.
+/// If fixed() would print zero for a number that is not zero, it prints the number's first two
+/// digits, as far as they are earned. A number that has earned nothing but zeros, yet is known to
+/// differ from zero, is printed as by uncertain(): with fixed(1) and a bound of 0.0018, 0.0012 is
+/// 0.0 since it may be zero, but −0.0047 is −0.0047 ± 0.0018.
 ///
-/// uncertain() gives a standard uncertainty two digits, in parentheses in units of the last digit
-/// (994(22)), and a bound two digits behind ± (0.78615138 ± 0.00000013), rounded up together with
-/// what rounding the number itself has moved it. Beside a standard uncertainty the bound is left
-/// out where it is less than half a unit of the last digit: 1599.11(78) ± 0.04. An exact number is
-/// printed as exact() prints it.
+/// uncertain() prints two digits of a standard uncertainty in parentheses, in units of the last
+/// digit (994(22)), and two digits of a bound after ± (0.78615138 ± 0.00000013). The printed bound
+/// is rounded up and includes the rounding of the number. Beside a standard uncertainty a bound
+/// below half a unit of the last digit is omitted; a larger one is printed: 1599.11(78) ± 0.04. An
+/// exact number is printed as by exact().
 class Format {
  public:
-  /// The same format for a ratio that is printed in per cent.
+  /// Returns this format for a ratio printed in per cent.
   Format in_percent() const;
 
-  /// The same format, rounded up: for bounds that a sentence states. It prints no less than value +
-  /// bound. Any digit of a bound is true, so none has to be earned, but there are none below the
-  /// second digit of the number's own bound. Only for significant, fixed and scientific, for
-  /// numbers whose sum is not negative and that have no standard uncertainty.
+  /// Returns this format rounding up, for bounds that a sentence states: it prints no less than
+  /// value + bound. Every digit of a bound is true, so none has to be earned, but digits below the
+  /// second one of the number's own bound are omitted. Only for significant, fixed and scientific,
+  /// and for numbers without a standard uncertainty whose sum is not negative.
   Format rounded_up() const;
 
-  /// The same format with another count of significant digits: what `\val[n]{key}` prints.
+  /// Returns this format with a different number of significant digits, for `\val[n]{key}`.
   Format with_digits(int n_digits) const;
 
   Notation notation() const { return notation_; }
-  /// Significant digits, or decimals of fixed(); 0 where the notation has no such number.
+  /// Significant digits, or decimals of fixed(); 0 if the notation has neither.
   int digits() const { return digits_; }
   bool is_percentage() const { return is_percentage_; }
   bool rounds_up() const { return rounds_up_; }
 
-  /// The format as it is spelt here: «significant(4)», «percent(1).rounded_up()».
+  /// The format in the spelling of C++: «significant(4)», «percent(1).rounded_up()».
   std::string text() const;
 
-  /// Reads what text() writes. Throws std::invalid_argument for anything else.
+  /// Parses the output of text(). Throws std::invalid_argument for anything else.
   static Format parse(std::string_view text);
 
  private:
@@ -86,8 +86,8 @@ class Format {
   bool rounds_up_ = false;
 };
 
-/// Format explains them. Digits are 1 to 17, decimals 0 to 100; others are refused where the format
-/// is used, so that the message can name what is printed.
+/// Format explains them. The range is 1 to 17 for digits and 0 to 100 for decimals. The use of a
+/// format outside it is an error, whose message can then name the value.
 Format significant(int n_digits);
 Format fixed(int decimals);
 Format scientific(int n_digits);

@@ -9,12 +9,12 @@
 
 namespace literate {
 
-/// A number with what is not known of it, all in one unit.
+/// A number with its bound and its standard uncertainty, all in one unit.
 ///
-/// The true number is no farther than `bound` from one that is distributed about `value` with the
-/// standard deviation `standard`. Computations have a bound, measurements and fits a standard
-/// uncertainty (JCGM 100:2008, 2.3.1), and what is computed from measurements may have both. An
-/// exact number has neither.
+/// The true number lies within `bound` of a number distributed about `value` with the standard
+/// deviation `standard`. Computations have a bound, measurements and fits a standard uncertainty
+/// (JCGM 100:2008, 2.3.1), and results computed from measurements may have both. An exact number
+/// has neither.
 struct Number {
   Number(double number, double error_bound, double standard_uncertainty = 0)
       : value(number), bound(error_bound), standard(standard_uncertainty) {}

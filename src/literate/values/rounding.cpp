@@ -14,9 +14,8 @@ namespace {
 
 constexpr int n_digits_of_error = 2;
 
-/// An error as it counts wherever digits depend on it: to twelve significant digits. As a double
-/// the sum of 0.1 and 0.05 is 0.15000000000000002; what follows twelve digits is the rounding of
-/// the error itself.
+/// The error that decides on digits: rounded to twelve significant digits, since later ones are
+/// rounding errors of the error itself. As doubles, 0.1 + 0.05 is 0.15000000000000002.
 double counted(double error) {
   constexpr int n_digits = 12;
   return number_of(rounded_to_digits(error, n_digits));
@@ -28,7 +27,7 @@ int place_of_bound(double bound) {
   return leading_place(digits) + (digits.digits == "1" ? 0 : 1);
 }
 
-/// The lowest place whose digit is earned; none of an exact number, which has earned all.
+/// The lowest place whose digit is earned; none for an exact number, which has earned all.
 std::optional<int> earned_place(const std::optional<Number>& number) {
   if (!number || number->is_exact()) return std::nullopt;
   int place = std::numeric_limits<int>::min();
@@ -71,12 +70,12 @@ void require_printable(const Format& format, double value, const std::optional<N
   }
   if (number && number->standard > 0) {
     throw std::invalid_argument(fmt::format(
-        "{} has a standard uncertainty of {}, which is no bound that could be rounded up",
+        "{} has a standard uncertainty of {}, which is not a bound that could be rounded up",
         round_trip(value), round_trip(number->standard)));
   }
 }
 
-/// A number rounded to a place, before anybody decides how its digits are written.
+/// A number rounded to a place, before the choice of its notation.
 struct Rounding {
   enum class Style { plain, automatic, with_exponent };
 
@@ -88,16 +87,16 @@ struct Rounding {
 };
 using Style = Rounding::Style;
 
-/// The printed form: the number divided by 10^ones, with a power of ten where it needs one.
+/// The printed form: the number divided by 10^ones, with a power of ten if it needs one.
 RoundedNumber written(const Rounding& rounding, int ones) {
-  // Outside of these leading places the zeros of a plain number are harder to read than a power.
+  // Outside of these leading places a power of ten is easier to read than the zeros.
   constexpr int least_plain = -3, most_plain = 5;
   Decimal shifted = rounding.decimal;
   shifted.place -= ones;
   const bool is_nothing = is_zero(shifted);
   if (is_nothing && rounding.are_zeros_known) shifted.place = std::min(shifted.place, 0);
 
-  // Of a zero that comes with its error it is the error that has the leading digit.
+  // If the number is zero, its error has the leading digit.
   int leading = leading_place(shifted);
   if (is_nothing && rounding.bound) leading = leading_place(*rounding.bound) - ones;
   const bool has_error = rounding.bound || !rounding.standard.empty();
@@ -122,8 +121,8 @@ RoundedNumber written(const Rounding& rounding, int ones) {
   return result;
 }
 
-/// All digits of an exact number that lie at a place or above, with zeros down to it. Digits that
-/// are not zero are rounded away.
+/// The digits of an exact number at a place and above, with zeros down to it. Lower digits are
+/// rounded away.
 Rounding exact_to_place(double value, int place, Style style) {
   Decimal digits = shortest(value);
   if (digits.place < place) digits = rounded_to_place(value, place);
@@ -135,7 +134,7 @@ Rounding exact_to_place(double value, int place, Style style) {
   return {digits, style, is_whole};
 }
 
-/// value ± a bound to two digits that holds the true number, though the printed one is rounded.
+/// value ± a two-digit bound that includes the rounding of the printed number.
 Rounding with_bound(double value, double error) {
   for (int place = rounded_up_to_digits(counted(error), n_digits_of_error).place;; ++place) {
     const Decimal digits = rounded_to_place(value, place);
@@ -146,12 +145,12 @@ Rounding with_bound(double value, double error) {
   }
 }
 
-/// As uncertain() prints a number that is not exact.
+/// The output of uncertain() for a number that is not exact.
 Rounding with_uncertainty(const Number& number) {
   if (number.standard == 0) return with_bound(number.value, number.bound);
   int place = rounded_to_digits(number.standard, n_digits_of_error).place;
   if (number.bound > 0) {
-    // Beside a bound that is much greater, digits below its third say nothing.
+    // Beside a much greater bound, digits below its third one carry no information.
     place = std::max(place, rounded_to_digits(number.bound, n_digits_of_error).place - 1);
   }
   const Decimal standard = rounded_to_place(number.standard, place);
@@ -198,14 +197,14 @@ Rounding bound_above(const Format& format, double value, const std::optional<Num
   return {digits, is_fixed ? Style::plain : Style::automatic, bound == 0};
 }
 
-/// The number to a place, or to the last one above it that is earned.
+/// Rounds the number to a place, or to the lowest earned place above it.
 Rounding to_place(double value, const std::optional<Number>& number, int place, Style style) {
   if (number && number->is_exact()) return exact_to_place(value, place, style);
   const int lowest = std::max(place, earned_place(number).value_or(place));
   return {rounded_to_place(value, lowest), style, false};
 }
 
-/// The place of the last of n digits of the number, or of its error if the number is zero.
+/// The place of the n-th digit of the number, or of its error if the number is zero.
 int place_of_digits(double value, const std::optional<Number>& number, int n_digits) {
   if (value != 0 || !number) return rounded_to_digits(value, n_digits).place;
   return rounded_to_digits(std::max(number->bound, number->standard), n_digits).place;
@@ -220,15 +219,15 @@ Rounding to_nearest(const Format& format, double value, const std::optional<Numb
   if (!is_zero(result.decimal)) return result;
 
   if (is_fixed && value != 0) {
-    // Its first digits, if it has earned any.
+    // The number's first digits, if any are earned.
     constexpr int n_first = 2;
     const int first = rounded_to_digits(value, n_first).place;
     const Rounding digits = to_place(value, number, first, Style::automatic);
     if (!is_zero(digits.decimal)) return digits;
   }
   if (!number || number->is_exact()) return result;
-  // Nothing but zeros is earned, which is not all that is known if the number differs from zero, or
-  // if its uncertainty is no bound; and zeros before or far behind the point say nothing.
+  // Only zeros are earned. They suffice if the number may be zero within its bound, and if they are
+  // near the point. Otherwise the number is printed with its error.
   constexpr int lowest_zero = -6;
   const int last = result.decimal.place - ones;
   const bool is_lost =
@@ -269,8 +268,7 @@ RoundedNumber rounded(const Format& format, double value, const std::optional<Nu
 RoundedNumber quoted(const Format& format, double value, int place, int scale) {
   require_printable(format, value, std::nullopt);
   const Decimal digits = rounded_to_place(value, place);
-  // A decimal number that was read as a double is off by half a rounding; arithmetic such as
-  // 5 · 0.01 adds more.
+  // Reading a decimal number as a double rounds it, and arithmetic such as 5 · 0.01 rounds again.
   constexpr double of_reading = 4 * std::numeric_limits<double>::epsilon();
   if (std::abs(number_of(digits) - value) > of_reading * std::abs(value)) {
     throw std::invalid_argument(fmt::format("{} has more digits than one quoted to the place 1e{}",
@@ -286,7 +284,7 @@ int n_earned_digits(const Format& format, double value, const std::optional<Numb
   const Decimal printed = rounded(format, value, number).decimal;
   if (value == 0 || is_zero(printed)) return 0;
   const auto n_digits = [&](const Decimal& digits) {
-    // The zeros of an exact whole number count: 31220 has five digits.
+    // The zeros of an exact integer count: 31220 has five digits.
     const int last = number && number->is_exact() ? std::min(digits.place, 0) : digits.place;
     return std::clamp(leading_place(digits) - last + 1, 0, most);
   };

@@ -76,8 +76,8 @@ void Value::require_valid() const {
   if (!problem_.empty()) throw std::invalid_argument(problem_);
   if (is_text() || known_ || is_as_is_) return;
   throw std::invalid_argument(
-      fmt::format("{} comes without its error: give an Estimate or .within(bound), or say .as_is() "
-                  "of a number that is printed as it came",
+      fmt::format("{} has no error: give its bound or standard uncertainty, or as_is if it is "
+                  "unknown",
                   round_trip(number_)));
 }
 

@@ -11,23 +11,22 @@
 
 namespace literate {
 
-/// A number with its format and unit, or a text, as the document prints it:
+/// A number with its format and unit, or a text:
 ///
 ///     Value(Estimate{2.0064, 3e-4}, significant(4), "s")   a computed number with its bound
 ///     Value({79.4, 0, 0.3}, uncertain(), "V")              {value, bound, standard uncertainty}
 ///     Value(0.25, exact(), "m")                            a parameter
 ///     Value(n_nodes, integer())                            a count
 ///     Value(2.9, significant(2), "s").within(0.1)          a bare number and its bound
-///     Value(residual, scientific(1)).as_is()               a number that is printed as it came
+///     Value(residual, scientific(1)).as_is()               a number of unknown error
 ///
-/// Units are spelt as literate/text/unit.hpp says; a percentage has none. What a value's format
-/// refuses, as rounded() does, is reported where the value is used, with its key: by
-/// Document::value and by the criteria.
+/// literate/text/unit.hpp describes units; a percentage has none. Constructors do not throw:
+/// Document::value and the criteria report an invalid value, with its key.
 class Value {
  public:
   Value(const Number& number, const Format& format, std::string_view unit = "");
-  /// A bare number: exact() and integer() declare that it is exact, and for any other format
-  /// within() or as_is() has to say what is known of it.
+  /// A bare number. The formats exact() and integer() declare it exact; any other needs within() or
+  /// as_is().
   Value(double number, const Format& format, std::string_view unit = "");
   template <std::integral Integer>
   Value(Integer number, const Format& format, std::string_view unit = "")
@@ -36,35 +35,37 @@ class Value {
   /// A plain text, which is escaped for LaTeX.
   static Value text(std::string_view text);
 
-  /// The same bare number with a bound on its error, in the unit of the number, which for a
-  /// percentage is the ratio.
+  /// Returns this bare number with a bound of its error, in the unit of the number (for a
+  /// percentage, of the ratio).
   Value within(double bound) const;
 
-  /// The same bare number, printed as it came and with no claim on its error: a residual, a margin,
-  /// a bound that a formula gave. A criterion takes it as it is.
+  /// Returns this bare number without an error, for numbers such as a residual, a margin, or a
+  /// bound from a formula. It is printed with all digits of its format, and criteria take it as
+  /// exact.
   Value as_is() const;
 
-  /// Throws std::invalid_argument with what is wrong with this value: what its format refuses, a
-  /// unit that UDUNITS-2 does not know, an error that nobody gave.
+  /// Throws std::invalid_argument for a value that its format refuses, a unit that UDUNITS-2 does
+  /// not know, and a missing error.
   void require_valid() const;
 
   bool is_text() const { return !format_; }
   bool is_as_is() const { return is_as_is_; }
   bool is_percentage() const { return format_ && format_->is_percentage(); }
 
-  /// The unrounded number, in unit(); of a percentage the ratio, and of a text 0.
+  /// The unrounded number, in unit(); for a percentage the ratio, for a text 0.
   double number() const { return number_; }
-  /// The same with its uncertainty, if that is known.
+  /// The number with its errors, if they are known.
   const std::optional<Number>& known() const { return known_; }
-  /// Of values that are not texts.
+  /// Not for texts.
   const Format& format() const { return *format_; }
   const std::string& unit() const { return unit_; }
 
-  /// As plain text, «1.5e-6 in», and as LaTeX for text and math mode. Both throw as require_valid.
+  /// The value as plain text, «1.5e-6 in», and as LaTeX for text and math mode. Both throw as
+  /// require_valid() does.
   std::string printed() const;
   std::string latex() const;
 
-  /// The same number in a different format. Of values that are not texts.
+  /// Returns the same number in a different format. Not for texts.
   Value formatted(const Format& format) const;
 
   /// How many significant digits are earned; 0 for a text.
@@ -81,7 +82,7 @@ class Value {
   std::optional<Format> format_ = {};
   std::string unit_;
   std::string text_;
-  std::string problem_;  // found before the value had a key; require_valid() reports it
+  std::string problem_;  // require_valid() reports it
 };
 
 }  // namespace literate

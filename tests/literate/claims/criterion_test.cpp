@@ -34,7 +34,7 @@ std::optional<double> number_in(const std::string& text) {
   return sys::parsed<double>(text);
 }
 
-/// A quantity from its fields: as it is where it has no error.
+/// A quantity from the fields of a row; without an error it is as_is.
 Value quantity_of(const std::string& number, const std::string& bound, const std::string& standard,
                   const Format& format, const std::string& unit) {
   const double value = number_in(number).value();
@@ -59,7 +59,7 @@ Criterion criterion_of(const CsvRow& row) {
                               : Criterion::agrees_relatively("x", quantity, stated, limit);
 }
 
-/// A criterion of each verdict, with one limit.
+/// One criterion for each verdict, with the limit 1.
 Criterion with(double number, double bound = 1e-9) {
   return Criterion::at_most("x", Value(Estimate{number, bound}, fixed(1)),
                             {1, LimitKind::data, "one"});
@@ -75,7 +75,7 @@ std::string refusal_of(Make&& make) {
 
 BOOST_AUTO_TEST_SUITE(criterion_test)
 
-BOOST_AUTO_TEST_CASE(criteria_have_the_verdicts_of_the_table_and_print_what_was_tested) {
+BOOST_AUTO_TEST_CASE(criteria_decide_and_print_as_in_the_table) {
   const auto rows = csv_rows(ENGINE_TESTS "/claims/verdicts.csv");
   BOOST_TEST(rows.size() > 30);
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(criteria_have_the_verdicts_of_the_table_and_print_what_was_
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_several_cases_all_some_or_none_hold) {
+BOOST_AUTO_TEST_CASE(several_cases_hold_hold_in_part_or_fail) {
   const auto in_each = [](const std::vector<Criterion>& each) {
     return Criterion::in_each("largest", "points", each).text();
   };
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(of_several_cases_all_some_or_none_hold) {
              "undecided");
 }
 
-BOOST_AUTO_TEST_CASE(a_claim_holds_as_far_as_its_criteria_do) {
+BOOST_AUTO_TEST_CASE(the_verdict_of_a_claim_follows_from_its_criteria) {
   BOOST_TEST((literate::verdict_of({holding, holding}) == Verdict::holds));
   BOOST_TEST((literate::verdict_of({holding, failing}) == Verdict::holds_in_part));
   BOOST_TEST((literate::verdict_of({failing, failing}) == Verdict::fails));
@@ -116,14 +116,14 @@ BOOST_AUTO_TEST_CASE(a_claim_holds_as_far_as_its_criteria_do) {
   BOOST_CHECK_THROW(literate::verdict_named("confirmed"), std::invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(margins_tell_how_far_a_criterion_is_from_turning) {
+BOOST_AUTO_TEST_CASE(a_margin_is_the_distance_to_a_different_verdict) {
   BOOST_TEST(with(0.25, 0.05).margin().text() == "4.0 times; 15 errors");
   BOOST_TEST(with(3, 1e-9).margin().text() == "3.0 times; over 1000 errors");
   const Limit zero(0, LimitKind::data, "none");
   BOOST_TEST(Criterion::at_most("x", Value(0, integer()), zero).margin().text() == "exact");
 }
 
-BOOST_AUTO_TEST_CASE(a_limit_is_printed_as_it_is_tested) {
+BOOST_AUTO_TEST_CASE(the_tested_limit_is_the_printed_one) {
   const auto limit = [](double number, int n_digits = 0) {
     return Limit(number, LimitKind::theory, "x", n_digits).number();
   };
@@ -140,28 +140,27 @@ BOOST_AUTO_TEST_CASE(a_limit_is_printed_as_it_is_tested) {
                    "0.333, as it is printed: give the limit more digits"));
 }
 
-BOOST_AUTO_TEST_CASE(what_cannot_be_decided_is_refused_with_the_line_of_code) {
+BOOST_AUTO_TEST_CASE(invalid_criteria_are_refused_with_the_line_of_code) {
   const Limit limit(1, LimitKind::data, "one");
   const Value number(Estimate{1.5, 0.1}, fixed(1), "m");
   const Value scattered({1.5, 0, 0.1}, uncertain(), "m");
-  const auto at_most = [](const Value& value, const Limit& wanted) {
-    return refusal_of([&] { Criterion::at_most("x", value, wanted); });
+  const auto at_most = [](const Value& value, const Limit& given) {
+    return refusal_of([&] { Criterion::at_most("x", value, given); });
   };
   BOOST_TEST(holds(at_most(Value(1.5, fixed(1)), limit), "criterion_test.cpp:"));
-  BOOST_TEST(
-      holds(at_most(Value(1.5, fixed(1)), limit), ": criterion 'x': 1.5 comes without its error"));
+  BOOST_TEST(holds(at_most(Value(1.5, fixed(1)), limit), ": criterion 'x': 1.5 has no error"));
   BOOST_TEST(holds(at_most(Value::text("x"), limit), "it tests a number, not a text"));
   BOOST_TEST(holds(at_most(Value(std::nan(""), exact()), limit), "nan is not finite"));
   BOOST_TEST(holds(at_most(scattered, limit),
-                   "1.50(10) m has a standard uncertainty of 0.1: say how many of them"));
+                   "1.50(10) m has a standard uncertainty of 0.1: the limit must state how many"));
   BOOST_TEST(holds(at_most(number, {1, LimitKind::data, ""}), "a limit needs a reason"));
   BOOST_TEST(holds(at_most(number, {std::nan(""), LimitKind::data, "x"}), "is not finite"));
   BOOST_TEST(holds(at_most(number, {{1, -1}, LimitKind::data, "x"}), "below zero"));
   BOOST_TEST(holds(at_most(number, limit.counting(0)), "counting(0)"));
   BOOST_TEST(holds(refusal_of([&] { Criterion::at_most("", number, limit); }),
                    "a criterion names what it tests"));
-  const auto agrees = [&](const Value& stated, const Limit& wanted) {
-    return refusal_of([&] { Criterion::agrees("x", number, stated, wanted); });
+  const auto agrees = [&](const Value& stated, const Limit& given) {
+    return refusal_of([&] { Criterion::agrees("x", number, stated, given); });
   };
   BOOST_TEST(holds(agrees(Value(1, exact(), "in"), limit),
                    "1.5 m has m and 1 in has in: give both in the same unit"));

@@ -36,7 +36,7 @@ Criterion at_most_one(int number) {
 
 BOOST_AUTO_TEST_SUITE(document_test)
 
-BOOST_AUTO_TEST_CASE(what_cannot_be_registered_is_refused_with_line_and_key) {
+BOOST_AUTO_TEST_CASE(invalid_registrations_are_refused_with_line_and_key) {
   Document document;
   document.value("x", Value(1, exact()));
   const std::string twice = refused([&] { document.value("x", Value(2, exact())); });
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(faults_are_failed_checks_and_unexpected_verdicts) {
   BOOST_TEST(holds(values_tex(document, "c"), "\\LiterateFailed{3}\n"));
 }
 
-BOOST_AUTO_TEST_CASE(parts_are_appended_in_their_order) {
+BOOST_AUTO_TEST_CASE(append_keeps_the_order_of_both_parts) {
   Document document, part;
   document.claim("a", {.route = "r", .criteria = {at_most_one(1)}});
   part.claim("b", {.route = "r", .criteria = {at_most_one(1)}});
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(parts_are_appended_in_their_order) {
   BOOST_TEST(holds(refused([&] { document.append(std::move(again)); }), "is registered twice"));
 }
 
-BOOST_AUTO_TEST_CASE(progress_is_seen_from_elsewhere) {
+BOOST_AUTO_TEST_CASE(a_thread_can_read_the_progress) {
   Document document;
   const auto progress = document.progress_so_far();
   document.progress(3, 8);

@@ -24,7 +24,7 @@ namespace {
 
 const fs::path paper = ENGINE_TESTS "/pendulum";
 
-/// A text in which the places in this source file, if one is named, are PLACE: its lines may move.
+/// Replaces the places in this source file, if one is named, by PLACE, since its lines may move.
 std::string without_places(std::string text, const std::string& source) {
   if (source.empty()) return text;
   for (auto at = text.find(source); at != text.npos; at = text.find(source, at)) {
@@ -36,7 +36,7 @@ std::string without_places(std::string text, const std::string& source) {
   return text;
 }
 
-/// The files of a folder by their names, without places.
+/// The contents of the files in a folder by name, without places.
 std::map<std::string, std::string> files_of(const fs::path& folder, const std::string& source) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -68,8 +68,8 @@ Document one_value(double number) {
 
 BOOST_AUTO_TEST_SUITE(folder_test)
 
-// pendulum/folder has what `literate_pendulum compute pendulum/case.toml FOLDER` wrote, with PLACE
-// for its lines of code.
+// `literate_pendulum compute pendulum/case.toml FOLDER` wrote pendulum/folder; PLACE replaces its
+// lines of code.
 BOOST_AUTO_TEST_CASE(a_paper_writes_its_folder) {
   const TemporaryFolder folder;
   Document document;
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_paper_writes_its_folder) {
   require_same(files_of(folder.path(), "pendulum.cpp"), files_of(paper / "folder", ""));
 }
 
-BOOST_AUTO_TEST_CASE(what_a_script_registered_gives_the_same_folder) {
+BOOST_AUTO_TEST_CASE(a_script_that_registers_the_same_gives_the_same_folder) {
   const TemporaryFolder folder;
   const Document document = literate::read_document(paper / "registered.json");
   write_folder(document, folder.path(), "case.toml");
@@ -88,17 +88,17 @@ BOOST_AUTO_TEST_CASE(what_a_script_registered_gives_the_same_folder) {
 BOOST_AUTO_TEST_CASE(an_unchanged_file_keeps_its_time_stamp) {
   const TemporaryFolder folder;
   write_folder(one_value(1), folder.path(), "c");
-  const auto former = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  const auto earlier = fs::file_time_type::clock::now() - std::chrono::hours(1);
   for (const char* name : {"values.tex", "ledger.tex", "results.json"}) {
-    fs::last_write_time(folder / name, former);
+    fs::last_write_time(folder / name, earlier);
   }
   write_folder(one_value(2), folder.path(), "c");
-  BOOST_CHECK(fs::last_write_time(folder / "ledger.tex") == former);
-  BOOST_CHECK(fs::last_write_time(folder / "values.tex") != former);
-  BOOST_CHECK(fs::last_write_time(folder / "results.json") != former);
+  BOOST_CHECK(fs::last_write_time(folder / "ledger.tex") == earlier);
+  BOOST_CHECK(fs::last_write_time(folder / "values.tex") != earlier);
+  BOOST_CHECK(fs::last_write_time(folder / "results.json") != earlier);
 }
 
-BOOST_AUTO_TEST_CASE(files_that_are_written_no_more_are_removed_and_drawings_stay) {
+BOOST_AUTO_TEST_CASE(obsolete_files_are_removed_and_drawings_stay) {
   const TemporaryFolder folder;
   Document with_figure = one_value(1);
   with_figure.figure("f", {.width_cm = 1, .height_cm = 1, .data = {{"d", {{"x", {1}}}}}});
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(files_that_are_written_no_more_are_removed_and_drawings_sta
   BOOST_TEST(fs::exists(drawing));
 }
 
-BOOST_AUTO_TEST_CASE(a_foreign_list_of_files_removes_nothing_elsewhere) {
+BOOST_AUTO_TEST_CASE(an_edited_list_of_files_removes_nothing_elsewhere) {
   const TemporaryFolder folder;
   const fs::path outside = folder.write("kept.txt", "kept");
   for (const std::string& list : {"{\"files\": [\"../kept.txt\", \"" + outside.string() + "\", 3]}",
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_foreign_list_of_files_removes_nothing_elsewhere) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_written_is_named) {
+BOOST_AUTO_TEST_CASE(an_error_names_the_folder_that_cannot_be_written) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("generated", "a file in the place of the folder");
   const std::string message =

@@ -15,7 +15,7 @@ using literate::FigureData;
 
 BOOST_AUTO_TEST_SUITE(figure_test)
 
-// gnuplot reads data by the decimal sign that a script sets, so that under a comma 1.25 is 1.
+// If a script sets the comma as decimal sign, gnuplot reads 1.25 in the data as 1.
 BOOST_AUTO_TEST_CASE(data_have_no_decimal_sign) {
   const std::string text =
       figure_csv({{"x", {0, -1.25, 120, 1e300}}, {"y", {1, 0.1, literate::gap, -2e-7}}});
@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(a_surface_has_a_blank_line_after_each_row_of_its_grid) {
   BOOST_TEST(figure_csv(FigureData({{"z", {1, 2, 3, 4}}}, 2)) == "z\n1\n2\n\n3\n4\n");
 }
 
-BOOST_AUTO_TEST_CASE(the_prelude_defines_what_the_script_uses) {
+BOOST_AUTO_TEST_CASE(the_prelude_defines_the_variables_of_the_script) {
   const std::string text = literate::figure_prelude("f", {.width_cm = 8,
                                                           .height_cm = 5.5,
                                                           .data = {{"loads", {{"x", {1}}}}},
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(the_prelude_defines_what_the_script_uses) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_no_script_could_read_is_refused) {
+BOOST_AUTO_TEST_CASE(figures_that_no_script_could_draw_are_refused) {
   const auto refused = [](const Figure& figure) {
     return message_of<std::invalid_argument>([&] { require_drawable(figure); });
   };
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(what_no_script_could_read_is_refused) {
   BOOST_TEST(holds(with({{"x", {1}}, {"x", {1}}}), "two columns 'x'"));
   BOOST_TEST(holds(with({{"x", {1, 2}}, {"y", {1}}}), "2 points in column 'x' and 1 in 'y'"));
   BOOST_TEST(holds(with({{"x", {1, std::sqrt(-1.0)}}}), "nan as point 2 of column 'x'"));
-  BOOST_TEST(holds(with({{"1x", {1}}}), "'1x' is no name of a variable"));
+  BOOST_TEST(holds(with({{"1x", {1}}}), "'1x' cannot be a gnuplot variable"));
   BOOST_TEST(holds(with(FigureData({{"x", {1, 2, 3}}}, 2)), "do not make rows of 2"));
   Figure twice{.width_cm = 1, .height_cm = 1, .numbers = {{"a", 1}}, .texts = {{"a", "x"}}};
   BOOST_TEST(holds(refused(twice), "the name 'a' is given twice"));

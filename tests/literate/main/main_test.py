@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""main_test.py SOURCE PENDULUM RESULTS: what the program of a paper and literate-results promise on the command line."""
+"""main_test.py SOURCE PENDULUM RESULTS: the command lines of a paper's program and of literate-results."""
 
 import copy
 import json
@@ -45,7 +45,7 @@ class Folder(unittest.TestCase):
         return self.run_program(RESULTS, file, self.output)
 
     def refuses(self, ended, *parts):
-        """Exit code 2, one line that has these parts, and nothing written."""
+        """Requires exit code 2, one line with these parts, and no output folder."""
         self.assertEqual(ended.returncode, 2, ended.stderr)
         self.assertEqual(len(ended.stderr.splitlines()), 1, ended.stderr)
         for part in parts:
@@ -56,7 +56,7 @@ class Folder(unittest.TestCase):
 class Program(Folder):
     case = (HERE / "pendulum/case.toml").read_text()
 
-    def test_writes_the_folder_and_says_nothing(self):
+    def test_it_writes_the_folder_and_prints_nothing(self):
         ended = self.compute(self.case)
         self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (0, "", ""))
         results = json.loads((self.output / "results.json").read_text())
@@ -64,13 +64,13 @@ class Program(Folder):
         found = sorted(str(file.relative_to(self.output)) for file in self.output.rglob("*") if file.is_file())
         self.assertEqual(found, sorted(results["files"] + ["results.json"]))
 
-    def test_places_begin_at_the_repository(self):
+    def test_places_are_relative_to_the_repository(self):
         self.compute(self.case)
         results = json.loads((self.output / "results.json").read_text())
         file, line = results["values"]["angle"]["place"].split(":")
         self.assertIn('document.value("angle"', (SOURCE / file).read_text().splitlines()[int(line) - 1])
 
-    def test_a_different_verdict_ends_with_1_and_writes_the_folder(self):
+    def test_an_unexpected_verdict_exits_with_1_and_writes_the_folder(self):
         ended = self.compute(self.case.replace("90", "60"))
         self.assertEqual(ended.returncode, 1)
         line = r"^tests/\w+/pendulum/pendulum.cpp:\d+: claim 'longer': fails, expected holds; excess: 7.3 % \(≥ 10 %\): fails\n"
@@ -79,12 +79,12 @@ class Program(Folder):
         self.assertEqual("\n".join(results["failed"]) + "\n", ended.stderr)
         self.assertIn("\\LiterateFailed{2}", (self.output / "values.tex").read_text())
 
-    def test_bad_input_ends_with_2(self):
+    def test_bad_input_exits_with_2(self):
         self.refuses(self.compute(self.case.replace("angle", "angel")), "case.toml:", "angel")
         self.refuses(self.compute(self.case.replace('"m/s2"', '"N"')), "case.toml:", "gravity")
         self.refuses(self.run_program(PENDULUM, "compute", self.path / "none.toml", self.output), "none.toml")
 
-    def test_a_computation_that_stops_ends_with_3_and_writes_nothing(self):
+    def test_a_failed_computation_exits_with_3_and_writes_nothing(self):
         ended = self.compute(self.case.replace("90", "-1"))
         self.assertEqual((ended.returncode, self.output.exists()), (3, False))
         place = r"tests/\w+/pendulum/pendulum.cpp:\d+"
@@ -106,12 +106,12 @@ class Registered(Folder):
         change(registered)
         return registered
 
-    def test_what_a_script_registers_has_the_schema(self):
+    def test_the_document_of_a_script_follows_its_schema(self):
         validator("results/document.schema.json").validate(REGISTERED)
         self.assertEqual(self.results_of(REGISTERED).returncode, 0)
         validator("document/results.schema.json").validate(json.loads((self.output / "results.json").read_text()))
 
-    def test_every_test_of_a_criterion_is_read(self):
+    def test_every_kind_of_criterion_is_read(self):
         quantity = {"number": 1.0, "bound": 0.1, "format": "fixed(1)"}
         limit = {"number": 2, "kind": "method", "reason": "x", "bound": 0.1, "counting": 2, "digits": 4}
         one = {"name": "x", "test": "at_most", "quantity": quantity, "limit": limit}
@@ -123,7 +123,7 @@ class Registered(Folder):
         results = json.loads((self.output / "results.json").read_text())
         self.assertEqual(results["claims"]["c"]["place"], "fit.py:3")
 
-    def test_a_failed_check_ends_with_1_and_names_its_place(self):
+    def test_a_failed_check_exits_with_1_and_names_its_place(self):
         ended = self.results_of({"schema": 1, "checks": {"c": {"statement": "s", "passed": False, "place": "fit.py:9"}}})
         self.assertEqual((ended.returncode, ended.stderr), (1, "fit.py:9: check 'c' failed: s\n"))
 
@@ -134,7 +134,7 @@ class Registered(Folder):
         def values(**changes):
             return lambda r: r["values"].update(x={**value, **changes})
 
-        # What a schema cannot express, such as what UDUNITS-2 knows, is valid by it.
+        # Some mistakes, such as an unknown unit, satisfy the schema.
         mistakes = [
             (lambda r: r.update(schema=2), False, ["registered.json: schema: schema 2, and this program reads schema 1"]),
             (lambda r: r.pop("schema"), False, ["the key 'schema' is missing"]),
@@ -142,16 +142,16 @@ class Registered(Folder):
             (values(bund=0.1), False, ["values.x: unknown key 'bund', did you mean 'bound'?"]),
             (values(bound=-0.1), False, ["value 'x': the bound -0.1 is not finite or below zero"]),
             (values(bound="0.1"), False, ['values.x.bound: must be a number, not "0.1"']),
-            (values(unit="{ }"), True, ["registered.json: value 'x': '{ }' is no unit that UDUNITS-2 knows"]),
-            (values(format="fixed"), False, ["values.x.format: 'fixed' is no format: significant(4)"]),
+            (values(unit="{ }"), True, ["registered.json: value 'x': '{ }' is not a unit that UDUNITS-2 knows"]),
+            (values(format="fixed"), False, ["values.x.format: 'fixed' is not a format: significant(4)"]),
             (values(format="exact()"), True, ["value 'x': 1.5 has an error and cannot be printed as exact()"]),
-            (lambda r: r["values"]["period"].pop("bound"), True, ["value 'period': 2.36824634628601 comes without its error"]),
+            (lambda r: r["values"]["period"].pop("bound"), True, ["value 'period': 2.36824634628601 has no error"]),
             (lambda r: r["tables"]["periods"]["rows"][1].pop(), True, ["table 'periods', row 2: 4 cells for 5 columns"]),
-            (lambda r: r["tables"]["periods"]["rows"][1].__setitem__(1, 1.5), True, ["row 2, column 2 'integral': 1.5 comes without"]),
+            (lambda r: r["tables"]["periods"]["rows"][1].__setitem__(1, 1.5), True, ["row 2, column 2 'integral': 1.5 has no error"]),
             (lambda r: r["figures"]["period"]["data"]["periods"]["columns"]["angle"].pop(), True, ["figure 'period': data 'periods' has 3"]),
-            (lambda r: r["claims"]["longer"].update(expected="confirmed"), False, ["claims.longer.expected: 'confirmed' is no verdict"]),
-            (lambda r: r["claims"]["longer"]["criteria"][0].update(test="less"), False, ["criteria.1", "no test: at_most"]),
-            (lambda r: r["claims"]["longer"]["criteria"][0]["limit"].update(kind="x"), False, ["limit.kind: 'x' is no kind of limit"]),
+            (lambda r: r["claims"]["longer"].update(expected="confirmed"), False, ["claims.longer.expected: 'confirmed' is not a verdict"]),
+            (lambda r: r["claims"]["longer"]["criteria"][0].update(test="less"), False, ["criteria.1", "is not a test: at_most"]),
+            (lambda r: r["claims"]["longer"]["criteria"][0]["limit"].update(kind="x"), False, ["limit.kind: 'x' is not a kind of limit"]),
             (lambda r: r.update(flags={"a b": {"value": True}}), False, ["flag 'a b': a name consists of"]),
             (lambda r: r.update(flags={"a": {"value": 1}}), False, ["flags.a.value: must be true or false, not 1"]),
         ]
@@ -161,7 +161,7 @@ class Registered(Folder):
                 self.assertEqual(valid(registered), is_valid)
                 self.refuses(self.results_of(registered), "registered.json", *parts)
 
-    def test_no_json_is_one_line_with_its_place(self):
+    def test_invalid_json_is_one_line_with_its_place(self):
         self.refuses(self.results_of("half {"), "registered.json: parse error at line 1, column 1")
         self.refuses(self.results_of('{"schema": 1,\n"values": {"x": {"number": NaN}}}'), "line 2", '"number": N')
         self.refuses(self.results_of('{"schema": 1, "values": {"x": {"number": 1e999}}}'), "registered.json", "1e999")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Opens a page in Chromium, and returns what it and axe-core find there."""
+"""Opens a page in Chromium and returns the findings of Chromium and axe-core."""
 
 import json
 import re
@@ -11,7 +11,7 @@ from pathlib import Path
 BUILD = Path(__file__).resolve().parents[3] / "build"
 AXE = [BUILD / folder / "node_modules/axe-core/axe.min.js" for folder in ("npm", "axe")]
 
-# Runs in the page, in a frame of the wanted width; the frame around it prints what it posts.
+# Runs inside the page, in a frame of the given width. The frame around it prints the posted message.
 LOOK = """
 addEventListener("load", async () => {
   if (%(opens_card)s) document.querySelector("button[popovertarget]").click();
@@ -34,7 +34,7 @@ FRAME = """<body style="margin:0"><iframe src="look.html" style="width:%dpx;heig
 
 
 def missing_tool():
-    """Says which tool is missing here, if one is."""
+    """Returns a sentence about a missing tool, or None."""
     if not chromium():
         return "chromium is not installed"
     return None if any(file.is_file() for file in AXE) else "axe-core is not installed below build/npm"
@@ -45,7 +45,7 @@ def chromium():
 
 
 def look(page, width, scheme="light", opens_card=False):
-    """Returns what the page looks like at a width: see LOOK."""
+    """Returns measurements of the page at a width; see LOOK."""
     axe = next(file for file in AXE if file.is_file()).read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
         scripts = f"<script>{axe}</script><script>{LOOK % {'opens_card': json.dumps(opens_card)}}</script>"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""page_test.py: papers of four classes become pages, which lack nothing that the PDF has; what cannot be a page is refused."""
+"""page_test.py: papers of four classes become complete pages, and documents that cannot be converted are refused."""
 
 import base64
 import json
@@ -55,7 +55,7 @@ CLASSES = {
 
 
 class Paper:
-    """A paper in a folder: the one that the engine's tests compute, with prose of its own."""
+    """A paper in a folder: the results of the test pendulum with separate prose."""
 
     def __init__(self, folder, kind="article"):
         self.folder, self.output = folder, folder / "build" / kind
@@ -121,8 +121,8 @@ class Pages(Case):
         self.assertEqual(ended.stdout, f"build/{kind}/{kind}.html\n")
         return paper
 
-    def says_the_same(self, paper, *apart):
-        """On the page the ledger has no heads of columns, and what stands in front of an integral is a word of its own."""
+    def has_the_same_words(self, paper, *apart):
+        """Compares words and decimals, except the ledger's column heads and the words `apart`, which the page spells differently."""
         missing, in_pdf, on_page = text.differences(paper.output / f"{paper.output.name}.pdf", paper.page, paper.output / "page/pdf.pdf",
                                                     paper.generated / "ledger.tex")
         self.assertLessEqual(set(missing), {"statement", "and", "test", "limit", "from", "dφ", *apart})
@@ -139,9 +139,9 @@ class Pages(Case):
                     for part in ("C1", "Wide swings", "18.0", "a tenth", "1.8 times") if opens_card else ():
                         self.assertIn(part, found["card"])
 
-    def test_article_is_the_same_page_again(self):
+    def test_article_gives_the_same_page_twice(self):
         paper = self.page_of("article")
-        self.says_the_same(paper)
+        self.has_the_same_words(paper)
         self.can_be_read(paper)
         page = paper.page.read_text(encoding="utf-8")
         for what, pattern in (
@@ -156,18 +156,18 @@ class Pages(Case):
         self.assertEqual(paper.page.read_text(encoding="utf-8"), page)
 
     def test_two_columns(self):
-        self.says_the_same(self.page_of("columns"))
+        self.has_the_same_words(self.page_of("columns"))
 
     @unittest.skipUnless(subprocess.run(["kpsewhich", "IEEEtran.cls"], capture_output=True).stdout, "texlive-publishers is missing")
     def test_ieeetran(self):
         paper = self.page_of("ieeetran")
         # This class prints capitals of two sizes, so that the PDF has the first letter of a word apart.
-        self.says_the_same(paper, "eriods", "heory", "laims", "eferences", "ppendix", "mall", "swhat", "fig")
+        self.has_the_same_words(paper, "eriods", "heory", "laims", "eferences", "ppendix", "mall", "swhat", "fig")
         self.can_be_read(paper)
 
-    def test_report_with_chapters_in_files_of_their_own(self):
+    def test_report_with_chapters_in_separate_files(self):
         paper = self.page_of("chapters")
-        self.says_the_same(paper)
+        self.has_the_same_words(paper)
         self.can_be_read(paper)
 
     def test_large_drawing_is_a_picture(self):
@@ -198,7 +198,7 @@ class Pages(Case):
         links = re.findall(r'href="([^"#:]+)"', (site / "index.html").read_text(encoding="utf-8"))
         self.assertTrue(links and set(links) <= files, links)
 
-    def test_document_brings_what_latexml_does_not_know(self):
+    def test_document_may_bring_a_binding_for_a_package(self):
         paper = Paper(self.folder)
         paper.write("swings.sty", r"\NewDocumentCommand\swing{m}{swing of #1}")
         paper.write("swings.sty.ltxml", "package LaTeXML::Package::Pool;\nuse LaTeXML::Package;\nDefMacro('\\swing{}', 'swing of #1');\n1;\n")
@@ -210,7 +210,7 @@ class Pages(Case):
 
 
 class Refusals(Case):
-    def test_other_numbers_than_the_pdf(self):
+    def test_numbers_that_differ_from_the_pdf(self):
         paper = Paper(self.folder)
         paper.typeset()
         aux = paper.latex / "article.aux"
@@ -252,18 +252,18 @@ class Refusals(Case):
         paper.typeset()
         self.refused(paper, "article.tex:", "a package uses expl3")
 
-    def test_pdf_of_another_state(self):
+    def test_pdf_that_is_not_up_to_date(self):
         paper = Paper(self.folder)
         self.refused(paper, "build/article/article.pdf: the PDF is not up to date")
         paper.typeset()
-        paper.page.write_text("a former page")
+        paper.page.write_text("an old page")
         paper.replace(self.folder / "body.tex", "It is long.", "It is very long.")
         self.refused(paper, "build/article/article.pdf: the PDF is not up to date")
 
 
 if __name__ == "__main__":
-    missing = [name for name in TOOLS if not shutil.which(name)] or [browser.missing_tool()]
+    missing = [f"{name} is not installed" for name in TOOLS if not shutil.which(name)] or [browser.missing_tool()]
     if missing != [None]:
-        print(f"skipped: {missing[0]} is missing")
+        print(f"skipped: {missing[0]}")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1])

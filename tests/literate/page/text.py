@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares the words and decimals of a PDF with those of its page: text.py PDF PAGE DRAWINGS.pdf LEDGER.tex prints what one of them lacks.
+"""text.py PDF PAGE DRAWINGS.pdf LEDGER.tex compares the words and decimals of a PDF with those of its page, and prints the missing ones.
 
-Left out are the labels in drawings, which the page shows as pictures; and the page may have all of the ledger, which a document can
-shorten on paper."""
+It ignores labels in drawings, which the page shows as pictures. The page may have the whole ledger, even if the document shortens
+it on paper."""
 
 import collections
 import html
@@ -26,7 +26,7 @@ def pdf_text(pdf):
 
 
 def normal(text):
-    """No ligatures, and one kind of space, so that «1.594 640» is the decimal 1.594 on both sides; in formulas nothing invisible."""
+    """Removes ligatures and invisible characters, and unifies spaces, so that «1.594 640» is the decimal 1.594 in both."""
     return re.sub(r"[\s\u2061-\u2063\u2060]", " ", unicodedata.normalize("NFKC", text))
 
 
@@ -39,7 +39,7 @@ def decimals(text):
 
 
 def unbroken(broken, known):
-    """A word that is broken at the end of a line, or its halves if only these are words."""
+    """Joins a word that was broken at the end of a line, unless only its halves are known words."""
     halves = re.split(r"[-\u2010]\n", broken)
     return "".join(halves) if "".join(halves).lower() in known else " ".join(halves)
 

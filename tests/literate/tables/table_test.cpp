@@ -23,7 +23,7 @@ using numerics::Estimate;
 
 namespace {
 
-/// What the cells of one column print, and what the unit line of its head says.
+/// The printed cells of one column, and the unit in its head.
 std::vector<std::string> printed(const Column& column, const std::vector<Cell>& cells) {
   Table table("t", {column});
   for (const Cell& cell : cells) table.add_row({cell});
@@ -44,7 +44,7 @@ using Texts = std::vector<std::string>;
 
 BOOST_AUTO_TEST_SUITE(table_test)
 
-BOOST_AUTO_TEST_CASE(columns_print_no_digit_that_is_not_earned) {
+BOOST_AUTO_TEST_CASE(columns_print_only_earned_digits) {
   BOOST_TEST(printed(Column("V", fixed(1), "V"), {Number(79.4, 0, 0.3), Number(79.4, 0.3)}) ==
              Texts({"79.4", "79"}));
   BOOST_TEST(printed(Column("x", uncertain()), {Number(994, 0, 22), Estimate{15.9911, 4e-4}}) ==
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(exact_columns_print_all_digits_of_their_parameters) {
              Texts({"1.25e-1", "1.0e-1"}));
 }
 
-BOOST_AUTO_TEST_CASE(quoted_numbers_keep_their_own_digits) {
+BOOST_AUTO_TEST_CASE(quoted_numbers_keep_the_digits_of_their_source) {
   BOOST_TEST(printed(Column("x", fixed(1)), {Cell::quoted(992.8, -1), Cell::quoted(0.300, -3)}) ==
              Texts({"992.8", "0.300"}));
   const std::string message = message_of<literate::Error>(
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(quoted_numbers_keep_their_own_digits) {
   BOOST_TEST(holds(message, "992.85 has more digits than one quoted to the place 1e-1"));
 }
 
-BOOST_AUTO_TEST_CASE(points_are_below_one_another) {
+BOOST_AUTO_TEST_CASE(decimal_points_are_aligned) {
   const std::string text =
       latex(Column("x", fixed(2)), {Estimate{-7.125, 1e-9}, Estimate{1234.5, 0.1}, Cell()});
   BOOST_TEST(holds(text, "{}$\\hphantom{000}{-}7.12$ \\\\"));
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(no_text_is_read_as_the_argument_of_a_command) {
   BOOST_TEST(holds(text, "\\LiterateNote{50 \\% of it}%\n"));
 }
 
-BOOST_AUTO_TEST_CASE(csv_reads_back_the_same_and_has_the_errors) {
+BOOST_AUTO_TEST_CASE(csv_has_the_unrounded_numbers_and_their_errors) {
   Table table("t", {Column("$u$", fixed(2), "mm").under("a, b"), Column::text("method")});
   table.add_row({Number(0.1, 0.02, 0.3), "by \"hand\""});
   table.add_row({Cell(), Cell::latex("$x$")});
@@ -119,21 +119,22 @@ BOOST_AUTO_TEST_CASE(csv_reads_back_the_same_and_has_the_errors) {
              ",,,$x$\n# one line\n");
 }
 
-BOOST_AUTO_TEST_CASE(what_a_table_cannot_print_is_refused_with_the_line_of_code) {
+BOOST_AUTO_TEST_CASE(unprintable_cells_are_refused_with_the_line_of_code) {
   Table table("t", {Column("u", fixed(2)), Column::text("method")});
   const auto refused = [&](const std::vector<Cell>& cells) {
     return message_of<literate::Error>([&] { table.add_row(cells); });
   };
   BOOST_TEST(holds(refused({1}), "table_test.cpp:"));
   BOOST_TEST(holds(refused({1}), ": table 't', row 1: 1 cells for 2 columns"));
-  BOOST_TEST(holds(refused({0.5, "x"}), "column 1 'u': 0.5 comes without its error"));
+  BOOST_TEST(holds(refused({0.5, "x"}), "column 1 'u': 0.5 has no error"));
   BOOST_TEST(holds(refused({Estimate{HUGE_VAL, 1}, "x"}), "column 1 'u': inf is not finite"));
   BOOST_TEST(holds(refused({Number(1, -1), "x"}), "the bound -1 is not finite or below zero"));
   BOOST_TEST(holds(refused({1, 2}), "column 2 'method': 2 is a number in a column of texts"));
   BOOST_TEST(holds(refused({1, Cell::latex("{")}), "the braces of '{' do not match"));
   BOOST_TEST(holds(refused({1, "\xff"}), "is not UTF-8"));
   const auto column = [](auto&& make) { return message_of<literate::Error>(make); };
-  BOOST_TEST(holds(column([] { Column("u", fixed(1), "{ }"); }), "column 'u': '{ }' is no unit"));
+  BOOST_TEST(
+      holds(column([] { Column("u", fixed(1), "{ }"); }), "column 'u': '{ }' is not a unit"));
   BOOST_TEST(holds(column([] { Column("u", percent(1), "m"); }), "a percentage has no other unit"));
   BOOST_TEST(holds(column([] { Column("u", exact()).scaled(2); }), "only fixed() numbers"));
   BOOST_TEST(holds(column([] { Table("t", {}); }), "table 't' has no column"));

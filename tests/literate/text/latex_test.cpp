@@ -12,7 +12,7 @@ using literate::latex_escaped;
 
 BOOST_AUTO_TEST_SUITE(latex_test)
 
-BOOST_AUTO_TEST_CASE(plain_text_is_printed_character_by_character) {
+BOOST_AUTO_TEST_CASE(plain_text_is_escaped_character_by_character) {
   BOOST_TEST(latex_escaped("50 % of A_1 & B{2}") == "50 \\% of A\\_1 \\& B\\{2\\}");
   BOOST_TEST(latex_escaped("\\~^<>|") ==
              "\\textbackslash{}\\textasciitilde{}\\textasciicircum{}\\textless{}\\textgreater{}"
@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_CASE(plain_text_is_printed_character_by_character) {
   BOOST_TEST(latex_escaped("Müller – 3 µm\tx\n") == "Müller – 3 µm x ");
 }
 
-BOOST_AUTO_TEST_CASE(no_ligature_of_tex_is_left) {
+BOOST_AUTO_TEST_CASE(escaped_text_has_no_ligatures) {
   BOOST_TEST(latex_escaped("--nodes 91") == "-{}-nodes 91");
   BOOST_TEST(latex_escaped("a---b") == "a-{}-{}-b");
   BOOST_TEST(latex_escaped("?`x ,,y ''q'' \"") ==
@@ -28,13 +28,13 @@ BOOST_AUTO_TEST_CASE(no_ligature_of_tex_is_left) {
   BOOST_TEST(latex_escaped("<<z>>") == "\\textless{}\\textless{}z\\textgreater{}\\textgreater{}");
 }
 
-BOOST_AUTO_TEST_CASE(a_percent_sign_of_an_author_swallows_nothing) {
+BOOST_AUTO_TEST_CASE(a_percent_sign_starts_no_comment) {
   BOOST_TEST(author_latex("share in %") == "share in \\%");
   BOOST_TEST(author_latex("share in \\%") == "share in \\%");
   BOOST_TEST(author_latex("a \\\\% b") == "a \\\\\\% b");
 }
 
-BOOST_AUTO_TEST_CASE(latex_that_would_reach_beyond_its_end_is_refused) {
+BOOST_AUTO_TEST_CASE(unbalanced_latex_is_refused) {
   const auto refused = [](const char* text) {
     return message_of<std::invalid_argument>([=] { author_latex(text); });
   };

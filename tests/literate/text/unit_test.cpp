@@ -41,11 +41,11 @@ BOOST_AUTO_TEST_CASE(units_are_printed_with_signs_and_powers) {
   BOOST_TEST(!literate::is_attached("degC"));
 }
 
-BOOST_AUTO_TEST_CASE(what_udunits_does_not_know_is_refused) {
+BOOST_AUTO_TEST_CASE(unknown_units_are_refused) {
   for (const char* unit : {"{ }", "furlongs per fortnite", "m/", "10 m", "m^", "\\mu m", "50%"}) {
     const std::string message =
         message_of<std::invalid_argument>([=] { literate::plain_unit(unit); });
-    BOOST_TEST(holds(message, std::string("'") + unit + "' is no unit that UDUNITS-2 knows"));
+    BOOST_TEST(holds(message, std::string("'") + unit + "' is not a unit that UDUNITS-2 knows"));
   }
 }
 

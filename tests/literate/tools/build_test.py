@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a build runs after an edit, and what it prints."""
+"""The rules that a build runs after an edit, and its messages."""
 
 import unittest
 
@@ -7,7 +7,7 @@ from paper import PaperTest, rules_in
 
 
 class Rules(PaperTest):
-    def test_each_edit_runs_what_depends_on_it_and_nothing_else(self):
+    def test_each_edit_runs_only_the_rules_that_depend_on_it(self):
         everything = ["compute small", "draw line", "typeset small"]
         self.assertEqual(sorted(rules_in(self.make())), everything)
         paper = self.paper
@@ -29,7 +29,17 @@ class Rules(PaperTest):
                 self.assertEqual(sorted(rules_in(self.make())), rules)
         self.assertEqual(paper.pdf.read_bytes(), paper.clean_pdf())
 
-    def test_a_commit_typesets_again_only_what_prints_it_differently(self):
+    def test_only_errors_of_cmake_are_printed_after_a_new_script(self):
+        self.make()
+        self.paper.write("figures/new.gp", "plot 1\n")
+        code, output = self.paper.literate("build", "small")
+        self.assertEqual((code, [line for line in output.splitlines() if not line.startswith("[")]), (0, []))
+        self.paper.replace("CMakeLists.txt", "NAME small", "NAME small WHAT")
+        code, output = self.paper.literate("build", "small")
+        self.assertEqual(code, 1)
+        self.assertIn("literate_add_paper: unknown arguments: WHAT", " ".join(output.split()))
+
+    def test_a_commit_typesets_the_paper_again(self):
         self.make()
         self.paper.commit()
         self.assertEqual(rules_in(self.make()), ["typeset small"])
@@ -41,7 +51,7 @@ class Rules(PaperTest):
         self.make()
         self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
 
-    def test_a_source_that_is_saved_while_latex_runs_is_typeset_again(self):
+    def test_a_source_saved_while_latex_runs_is_typeset_again(self):
         self.paper.replace("paper/small.tex", r"\claimledger", r"\claimledger\immediate\write18{true}\input{late}")
         self.paper.write("paper/late.tex", r"\message{reading late}")
         tools = self.paper.folder.parent / "bin"
@@ -60,8 +70,8 @@ class Rules(PaperTest):
 class Failures(PaperTest):
     def test_a_failed_claim_publishes_a_stamped_pdf_and_fails_each_build_until_it_holds(self):
         self.paper.replace("case.toml", "limit = 10.0", "limit = 1.0")
-        said = self.make(1)
-        self.assertIn("claim 'short': fails, expected holds", said)
+        output = self.make(1)
+        self.assertIn("claim 'short': fails, expected holds", output)
         self.assertIn("Not to be trusted: 1 check or claim failed", self.paper.text())
         again = self.make(1)
         self.assertIn("claim 'short': fails, expected holds", again)
@@ -70,7 +80,7 @@ class Failures(PaperTest):
         self.make()
         self.assertNotIn("Not to be trusted", self.paper.text())
 
-    def test_errors_have_the_place_where_they_are_mended(self):
+    def test_errors_name_the_line_to_fix(self):
         cases = [
             ("an unknown value, and the nearest name", "paper/sections/more.tex", r"\val{share}", "\n\n\\val{shaer}",
              "paper/sections/more.tex:3: unknown value 'shaer', did you mean 'share'?"),
@@ -93,10 +103,10 @@ class Failures(PaperTest):
              "compute.py:9: table 'lengths': undefined command \\naem"),
             ("gnuplot", "figures/line.gp", "plot points", "set xtics\nplot piont", 'figures/line.gp:2: undefined variable: piont'),
             ("a column that the data do not have", "figures/line.gp", '"b"', '"c"', "figures/line.gp:1: all points y value undefined"),
-            ("a script that draws nothing", "figures/line.gp", "plot", "#", "figures/line.gp: gnuplot drew nothing"),
+            ("a script that draws nothing", "figures/line.gp", "plot", "#", "figures/line.gp: gnuplot wrote no line.tex and line.pdf"),
             ("a Python script", "compute.py", "import literate", "import literat", "compute.py ended with exit code 1"),
             ("a value without its error", "compute.py", "error=1e-6, ", "", "compute.py:6"),
-            ("a case that is no TOML", "case.toml", "x = 1.5", "x = = 1.5", "line 1"),
+            ("a case that is not TOML", "case.toml", "x = 1.5", "x = = 1.5", "line 1"),
         ]
         for what, file, before, after, message in cases:
             with self.subTest(what):
@@ -104,13 +114,13 @@ class Failures(PaperTest):
                 self.paper.write(file, right)
                 path = self.paper.folder / file
                 path.write_bytes(right.replace(before, after).encode(errors="surrogateescape"))
-                said = self.make(1)
-                self.assertIn(message, said)
+                output = self.make(1)
+                self.assertIn(message, output)
                 path.write_text(right)
         self.make()
         self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
 
-    def test_a_figure_needs_its_script_but_a_case_may_leave_it_out(self):
+    def test_a_figure_needs_a_script_but_a_script_needs_no_figure(self):
         self.paper.write("figures/liin.gp", "plot points\n")
         self.make()
         self.assertEqual(rules_in(self.make()), [])
@@ -118,35 +128,43 @@ class Failures(PaperTest):
         (self.paper.folder / "figures/line.gp").unlink()
         self.assertIn("paper/small.tex:11: figure 'line' is not drawn", self.make(1))
 
-    def test_what_a_reader_would_see_is_a_warning(self):
+    def test_visible_defects_are_warnings(self):
         self.paper.replace("paper/sections/more.tex", "More", r"\ref{tab:none} \cite{nobody} \hbox to 1cm{\rule{3cm}{1ex}}" + "\n\nMore")
-        said = self.make()
-        self.assertIn("paper/sections/more.tex:1: undefined reference 'tab:none'", said)
-        self.assertIn("paper/sections/more.tex:1: undefined citation 'nobody'", said)
-        self.assertRegex(said, r"paper/sections/more.tex:1: a line is [\d.]+pt too wide")
+        output = self.make()
+        self.assertIn("paper/sections/more.tex:1: undefined reference 'tab:none'", output)
+        self.assertIn("paper/sections/more.tex:1: undefined citation 'nobody'", output)
+        self.assertRegex(output, r"paper/sections/more.tex:1: a line is [\d.]+pt too wide")
+        self.paper.replace("compute.py", '"a room"', r'r"\mbox{a room in which all who live in the house can sit down at one table}"')
+        self.assertRegex(self.make(), r"compute.py:12: 'short': a line is [\d.]+pt too wide")
 
-    def test_settings_and_results_that_are_none_are_refused_in_one_line(self):
+    def test_long_numbers_fit_into_the_ledger(self):
+        self.paper.replace("compute.py", "x = literate.number(case[\"x\"], error=case[\"error\"], unit=\"m\", digits=3)",
+                           "x = literate.number(1234.5678, standard=0.0012, unit='W/(m2.K)', format='uncertain()')")
+        self.paper.replace("compute.py", 'literate.limit(case["limit"], "choice", "a room")', 'literate.limit(1234.6, "choice", "a room", counting=2)')
+        self.assertNotIn("too wide", self.make())
+
+    def test_invalid_settings_and_results_are_refused_in_one_line(self):
         self.make()
         results = self.paper.output / "generated" / "results.json"
         right = results.read_text()
-        for what, text, message in [("half", right[:100], "only half of it"), ("foreign", '{"a": 1}', "no results of a paper"),
-                                    ("a list", "[]", "no results of a paper"),
+        for what, text, message in [("half", right[:100], "not JSON, or incomplete"), ("foreign", '{"a": 1}', "not the results of a paper"),
+                                    ("a list", "[]", "not the results of a paper"),
                                     ("of another version", right.replace('"schema": 1', '"schema": 2'), "schema 2, but this engine reads schema 1"),
-                                    ("incomplete", '{"schema": 1, "values": {}}', "no complete results")]:
+                                    ("incomplete", '{"schema": 1, "values": {}}', "these results are incomplete")]:
             with self.subTest(what):
                 results.write_text(text)
-                code, said = self.paper.literate("changes", str(self.paper.settings), str(results))
-                self.assertEqual((code, said.count("\n")), (2, 1), said)
-                self.assertIn(message, said)
+                code, output = self.paper.literate("changes", str(self.paper.settings), str(results))
+                self.assertEqual((code, output.count("\n")), (2, 1), output)
+                self.assertIn(message, output)
         for arguments, message in [(["check", "none.json"], "there is no such file"), (["chek"], "did you mean 'check'"),
-                                   (["check", str(self.paper.folder / "case.toml")], "no settings of a paper")]:
-            code, said = self.paper.literate(*arguments)
+                                   (["check", str(self.paper.folder / "case.toml")], "not the settings of a paper")]:
+            code, output = self.paper.literate(*arguments)
             self.assertEqual(code, 2)
-            self.assertIn(message, said)
+            self.assertIn(message, output)
 
 
 class Paths(PaperTest):
-    def test_paths_may_have_blanks_commas_quotes_and_umlauts(self):
+    def test_paths_may_contain_blanks_commas_quotes_and_umlauts(self):
         for name in ("a blank", "Doe, J", "O'Neil", 'a "quote"', "Größe", "a & (b)", "50%="):
             with self.subTest(name):
                 paper = type(self.paper)(self.paper.folder.parent / name / "small")
@@ -164,8 +182,8 @@ class Paths(PaperTest):
                             .replace("figures\n", "../figures\n").replace("SCRIPT compute.py", "SCRIPT ../compute.py")
                             .replace("SOURCES compute.py FAULTS faults.txt", "SOURCES ../compute.py"))
                 paper.write("CMakeLists.txt", lists[:lists.index("include")] + "add_subdirectory(sub)\n")
-                code, said = paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja")
-                self.assertNotIn("Warning", said)
+                code, output = paper.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja")
+                self.assertNotIn("Warning", output)
                 paper.run("ninja", "-C", "build", "sub/small")
                 paper.replace("paper/sections/more.tex", "More", "Much")
                 self.assertEqual(rules_in(paper.run("ninja", "-C", "build", "sub/all")[1]), ["typeset small"])
@@ -184,10 +202,10 @@ class Paths(PaperTest):
         for path in [self.paper.folder, *self.paper.folder.rglob("*")]:
             path.chmod(0o555 if path.is_dir() else 0o444)
         self.paper.build = self.paper.folder.parent / "build"
-        code, said = self.paper.run("cmake", "-S", ".", "-B", str(self.paper.build), "-G", "Ninja")
+        code, output = self.paper.run("cmake", "-S", ".", "-B", str(self.paper.build), "-G", "Ninja")
         before = sorted(self.paper.folder.rglob("*"))
-        code, said = self.paper.run("ninja", "-C", str(self.paper.build), "small")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.run("ninja", "-C", str(self.paper.build), "small")
+        self.assertEqual(code, 0, output)
         self.assertEqual(sorted(self.paper.folder.rglob("*")), before)
 
 

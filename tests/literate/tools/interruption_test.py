@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""After anything that stops a build, the next plain one gives the bytes of a build from nothing."""
+"""After any interruption the next plain build gives the bytes of a clean build."""
 
 import os
 import random
@@ -43,7 +43,7 @@ class Interruptions(PaperTest):
         self.marker = self.paper.folder.parent / "reached"
 
     def wrap(self, name: str, act: str) -> None:
-        """Puts a wrapper of a tool before the others on the PATH."""
+        """Puts a wrapper of a tool first on the PATH."""
         path = os.environ["PATH"]
         script = self.tools / name
         script.write_text(WRAPPER.format(path=path, name=name, marker=self.marker, act=act))
@@ -51,19 +51,19 @@ class Interruptions(PaperTest):
         self.paper.environment["PATH"] = f"{self.tools}:{path}"
 
     def edit(self) -> None:
-        """Changes numbers, figure and words."""
+        """Edits numbers, figure and words."""
         self.paper.replace("case.toml", "x = 1.5", "x = 1.75")
         self.paper.replace("case.toml", "slope = 2.0", "slope = 3.0")
         self.paper.replace("paper/sections/more.tex", "More", "\\newpage Much")
 
     def assert_recovers(self) -> None:
-        """Builds without wrappers and compares with a build from nothing."""
+        """Builds without wrappers and compares with a clean build."""
         self.paper.environment["PATH"] = os.environ["PATH"]
         self.make()
         self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
 
     def stop_when_reached(self, kill) -> None:
-        """Starts a build, and stops it in the middle of the wrapped tool."""
+        """Starts a build and stops it while the wrapped tool runs."""
         build = subprocess.Popen(["ninja", "-C", str(self.paper.build), "small"], cwd=self.paper.folder, env=self.paper.environment,
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
         while not self.marker.exists():
@@ -74,7 +74,7 @@ class Interruptions(PaperTest):
         self.marker.unlink()
 
     def reset(self) -> None:
-        """Builds the paper as it was before the edit."""
+        """Builds the paper before the edit."""
         self.paper.write("case.toml", CASE)
         self.paper.write("paper/sections/more.tex", MORE)
         self.paper.environment["PATH"] = os.environ["PATH"]
@@ -91,11 +91,11 @@ class Interruptions(PaperTest):
                 else:
                     self.wrap(name, "sleep 60")
                 self.stop_when_reached(lambda build: build.send_signal(signal.SIGINT))
-                self.assertEqual(self.paper.pdf.read_bytes(), pdf)  # the former one stays
+                self.assertEqual(self.paper.pdf.read_bytes(), pdf)  # the previous one stays
                 self.paper.write("compute.py", SCRIPT)
                 self.assert_recovers()
 
-    def test_kill_9_with_files_written_by_half(self):
+    def test_kill_9_with_half_written_files(self):
         latex = self.paper.output / "latex"
         half = "for f in {}; do head -c $(($(stat -c %s \"$f\") / 2)) \"$f\" >\"$f.half\" && mv \"$f.half\" \"$f\"; done; sleep 60"
         for what, name, files in [("a drawing", "gnuplot", "line.pdf line.tex"),
@@ -107,7 +107,7 @@ class Interruptions(PaperTest):
                 self.stop_when_reached(kill_session)
                 self.assert_recovers()
 
-    def test_a_tool_that_is_missing_or_fails(self):
+    def test_a_missing_tool_and_a_tool_that_fails(self):
         for name, package in (("gnuplot", "gnuplot-nox"), ("pdflatex", "texlive-latex-base")):
             with self.subTest(f"{name} is missing"):
                 shutil.rmtree(self.tools)
@@ -142,13 +142,13 @@ class Interruptions(PaperTest):
                 pdf = self.paper.pdf.read_bytes()
                 self.edit()
                 fill(disk / "filler", left)
-                code, said = self.paper.make()
+                code, output = self.paper.make()
                 if self.paper.pdf.read_bytes() != pdf:
                     self.assertEqual(self.paper.pdf.read_bytes(), self.paper.clean_pdf())
                 (disk / "filler").unlink()
                 self.assert_recovers()
 
-    def test_a_package_that_is_no_longer_loaded_leaves_nothing_behind(self):
+    def test_auxiliary_files_of_a_removed_package_do_no_harm(self):
         self.paper.replace("paper/small.tex", r"\begin{document}", "\\usepackage{hyperref}\n\\begin{document}\n\\tableofcontents")
         self.make()
         self.paper.replace("paper/small.tex", "\\usepackage{hyperref}\n", "")
@@ -156,7 +156,7 @@ class Interruptions(PaperTest):
 
 
 def fill(file: Path, left: int) -> None:
-    """Fills a disk with a file, but for some bytes."""
+    """Fills a disk with a file, except for some bytes."""
     with open(file, "wb", buffering=0) as out:
         try:
             while out.write(b"x" * 4096):
@@ -167,7 +167,7 @@ def fill(file: Path, left: int) -> None:
 
 
 def kill_session(build: subprocess.Popen) -> None:
-    """Kills a build and everything that it started."""
+    """Kills a build and all of its processes."""
     for process in Path("/proc").glob("[0-9]*"):
         try:
             session = int((process / "stat").read_text().rpartition(")")[2].split()[3])
@@ -180,7 +180,7 @@ def kill_session(build: subprocess.Popen) -> None:
 class ManyEdits(PaperTest):
     N_BUILDS = 200
 
-    def test_no_page_number_is_that_of_a_former_text(self):
+    def test_page_numbers_are_never_those_of_an_earlier_text(self):
         # A page holds a dozen lines, so most edits move something to a different page.
         self.paper.write("paper/small.tex", r"""\documentclass{article}
 \textheight=12\baselineskip
@@ -206,7 +206,7 @@ class ManyEdits(PaperTest):
                 self.assertEqual((settings.latex / "small.pdf").read_bytes(), pdf, f"build {build}")
 
     def section(self, name: str, n_lines: int, n_figures: int) -> str:
-        """Returns a section with so many lines and figures, which cites the others by their pages."""
+        """Returns a section with this many lines and figures, which cites the other sections by page."""
         figures = "".join(f"\\begin{{figure}}[h]\\caption{{{name}{i}}}\\end{{figure}}\n" for i in range(n_figures))
         lines = "".join(f"Line {i}, see \\ref{{a}}, \\ref{{b}} on page \\pageref{{b}}, \\ref{{c}} on page \\pageref{{c}}.\n\n" for i in range(n_lines))
         return f"\\section{{{name}}}\\label{{{name}}}\n{lines}{figures}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""severity and cases: the same paper many times."""
+"""severity and cases: many computations of one paper."""
 
 import csv
 import os
@@ -27,7 +27,7 @@ class Severity(PaperTest):
         self.paper.make()
         return self.paper.literate("severity", str(self.paper.settings), *arguments)
 
-    def test_faults_turn_claims_and_the_ledger_says_which(self):
+    def test_the_ledger_lists_the_faults_that_turn_a_claim(self):
         self.paper.commit()
         printed = "limit: short\nidle: nothing\nstops: stops the computation\n3 faults turn 1 of 1 claims\n"
         self.assertEqual(self.severity(), (0, printed))
@@ -37,36 +37,36 @@ class Severity(PaperTest):
                 ["idle", "compute.py", "only a text", "nothing"], ["stops", "compute.py", "a point is missing", "stops the computation"]])
         self.make()
         self.assertIn("Turned by these planted faults: limit.", " ".join(self.paper.text().split()))
-        self.assertEqual(self.severity(), (0, printed))  # from what it remembers, and nothing in the checkout is left changed
+        self.assertEqual(self.severity(), (0, printed))  # from its records, without a change of the checkout
         status = self.paper.run("git", "status", "--porcelain")[1]
         self.assertEqual(status, "?? paper/severity.csv\n?? paper/severity.tex\n")
 
-    def test_a_run_that_is_killed_goes_on_and_leaves_no_fault_behind(self):
+    def test_a_killed_run_continues_and_leaves_no_fault_behind(self):
         self.severity("--only", "limit")
         copy = self.paper.output / "severity" / "source"
         (copy / "case.toml").write_text((copy / "case.toml").read_text().replace("limit = 10.0", "limit = 1.0"))  # as kill -9 leaves it
         self.assertEqual(self.severity("--only", "idle"), (0, "idle: nothing\n"))
 
-    def test_a_fault_that_keeps_the_computation_from_ending_is_stopped(self):
+    def test_a_fault_that_causes_an_endless_loop_is_stopped(self):
         self.paper.write("faults.txt", "endless | compute.py | import literate | import literate; list(iter(int, 1)) | a loop\n")
         self.assertEqual(self.severity("--only", "endless", "--timeout", "3"), (0, "endless: does not end\n"))
 
-    def test_a_line_that_does_not_fit_is_refused(self):
+    def test_a_wrong_line_is_refused(self):
         for line, message in [("a | compute.py | none there | x | w", "fault 'a': compute.py has “none there” 0 times, not once"),
                               ("a | compute.py | case | x | w", "times, not once"), ("a | none.py | a | b | w", "there is no file none.py"),
                               ("a | compute.py | x", "faults.txt:1: needs id | file | before | after | what is wrong"),
-                              ("a | case.toml | x = | y = | w\na | case.toml | x = | y = | w", "faults.txt:2: fault 'a' is there twice")]:
+                              ("a | case.toml | x = | y = | w\na | case.toml | x = | y = | w", "faults.txt:2: fault 'a' occurs twice")]:
             with self.subTest(line):
                 self.paper.write("faults.txt", line + "\n")
-                code, said = self.severity()
+                code, output = self.severity()
                 self.assertEqual(code, 2)
-                self.assertIn(message, said)
+                self.assertIn(message, output)
 
-    def test_faults_that_no_test_notices_are_listed(self):
+    def test_faults_that_no_test_detects_are_listed(self):
         tests = "grep -q 'limit = 10' case.toml && { [ -n \"$TEST\" ] || grep -q 'A & B' compute.py; }"
         self.paper.write("faults.txt", FAULTS.replace("only a text", "only a text | first") + "broken | compute.py | import literate | import literate( | no Python\n")
-        code, said = self.severity("--build", "python3 -m py_compile compute.py", "--tests", tests)
-        self.assertEqual((code, said), (1, "limit: noticed\nidle: noticed\nstops: not noticed (a point is missing)\n"
+        code, output = self.severity("--build", "python3 -m py_compile compute.py", "--tests", tests)
+        self.assertEqual((code, output), (1, "limit: noticed\nidle: noticed\nstops: not noticed (a point is missing)\n"
                                            "broken: does not compile (no Python)\n"))
 
 
@@ -82,10 +82,10 @@ class Cases(PaperTest):
         with open(self.paper.build / "cases" / "cases.csv") as file:
             return list(csv.DictReader(file))
 
-    def test_each_case_has_its_paper_and_a_row_in_the_table(self):
+    def test_each_case_gets_a_paper_and_a_row_in_the_table(self):
         self.make()
-        code, said = self.paper.literate("cases", str(self.paper.settings), "-j", "2", *self.files)
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.literate("cases", str(self.paper.settings), "-j", "2", *self.files)
+        self.assertEqual(code, 0, output)
         self.assertEqual([(row["case"], row["x (m)"], row["big"], row["claim short"]) for row in self.rows()],
                          [("a", "0.5", "false", "holds"), ("b b", "1.5", "true", "holds"), ("c", "2.5", "true", "holds"), ("d", "20.0", "true", "fails")])
         pdfs = [self.paper.build / "cases" / name / "small.pdf" for name in ("a", "b b", "c", "d")]
@@ -95,22 +95,22 @@ class Cases(PaperTest):
         self.paper.literate("cases", str(self.paper.settings), *self.files)
         self.assertEqual([pdf.stat().st_mtime_ns == before for pdf, before in zip(pdfs, times)], [True, True, False, True])
 
-    def test_a_case_in_its_folder_is_the_paper_of_that_case(self):
+    def test_a_single_case_gives_the_same_paper(self):
         self.make()
-        code, said = self.paper.literate("case", str(self.paper.settings), "case.toml", "elsewhere/own")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.literate("case", str(self.paper.settings), "case.toml", "elsewhere/own")
+        self.assertEqual(code, 0, output)
         self.assertEqual((self.paper.folder / "elsewhere/own/small.pdf").read_bytes(), self.paper.pdf.read_bytes())
         self.assertEqual(self.paper.literate("case", str(self.paper.settings), "cases/d.toml", "elsewhere/d", "--numbers")[0], 1)
 
     def test_bad_input_is_refused(self):
         self.make()
         for arguments, message in [(["none.toml"], "none.toml: there is no such file"), (["case.toml", "cases/../case.toml"], "have the same name")]:
-            code, said = self.paper.literate("cases", str(self.paper.settings), *arguments)
+            code, output = self.paper.literate("cases", str(self.paper.settings), *arguments)
             self.assertEqual(code, 2)
-            self.assertIn(message, said)
+            self.assertIn(message, output)
 
     @unittest.skipUnless(shutil.which("snakemake"), "snakemake is not installed")
-    def test_snakemake_goes_on_after_it_was_killed_and_computes_no_case_twice(self):
+    def test_a_killed_snakemake_continues_and_computes_no_case_twice(self):
         # Each computation leaves a line, and the third waits until it is killed.
         done = self.paper.folder.parent / "done"
         self.paper.replace("compute.py", "def compute(document, case):\n", f"""def compute(document, case):
@@ -125,8 +125,8 @@ class Cases(PaperTest):
         snakefile = (ENGINE / "template" / "common" / "Snakefile").read_text().replace("mypaper", "small")
         self.paper.write("Snakefile", snakefile)
         self.paper.write(".engine", str(ENGINE))
-        code, said = self.paper.make("small-program")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.make("small-program")
+        self.assertEqual(code, 0, output)
         snakemake = ["snakemake", "--cores", "1", "--quiet"]
         third = done.with_name("done.third")
         run = subprocess.Popen(snakemake, cwd=self.paper.folder, env=self.paper.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -140,8 +140,8 @@ class Cases(PaperTest):
         self.assertEqual(len(before), 2)
         done.write_text("".join(f"{x}\n" for x in before) + "killed\n")
         self.paper.run(*snakemake, "--unlock")
-        code, said = self.paper.run(*snakemake, "--rerun-incomplete")
-        self.assertEqual(code, 0, said)
+        code, output = self.paper.run(*snakemake, "--rerun-incomplete")
+        self.assertEqual(code, 0, output)
         self.assertEqual(sorted(done.read_text().split()), sorted(["0.5", "1.5", "2.5", "20.0", "killed"]))
         self.assertEqual([(row["case"], row["claim short"]) for row in self.rows()], [("a", "holds"), ("b", "holds"), ("c", "holds"), ("d", "fails")])
 

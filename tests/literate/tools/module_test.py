@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""literate.py, from which papers register their numbers, and the schemas of what is written."""
+"""literate.py, with which scripts register numbers, and the schemas of the JSON files."""
 
 import json
 import os
@@ -51,7 +51,7 @@ class Module(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def run_script(self, script: str, case: str = "") -> tuple[int, str]:
-        """Runs a script as the build does, and literate-results on what it wrote."""
+        """Runs a script as the build does, then literate-results on its output."""
         (self.folder / "fit.py").write_text(script)
         (self.folder / "case.toml").write_text(case)
         for command in ([sys.executable, "fit.py", "case.toml", "out.json"], [RESULTS, "out.json", "generated", "case.toml"]):
@@ -61,7 +61,7 @@ class Module(unittest.TestCase):
                 break
         return ran.returncode, ran.stdout
 
-    def test_everything_that_can_be_registered_is_accepted_and_has_its_line(self):
+    def test_everything_can_be_registered_and_has_the_line_of_the_script(self):
         self.assertEqual(self.run_script(EVERYTHING), (0, ""))
         results = read_results(self.folder / "generated" / "results.json")
         self.assertEqual({key: value["printed"] for key, value in results["values"].items()},
@@ -71,7 +71,7 @@ class Module(unittest.TestCase):
         self.assertEqual(results["figures"]["line"]["data"], {"points": ["x", "y"]})
         self.assertEqual(results["case"], "case.toml")
 
-    def test_writer_and_readers_keep_to_the_schemas(self):
+    def test_written_files_follow_their_schemas(self):
         try:
             from jsonschema import Draft202012Validator
         except ImportError:
@@ -83,7 +83,7 @@ class Module(unittest.TestCase):
                 errors = Draft202012Validator(json.loads(schema.read_text())).iter_errors(json.loads((self.folder / written).read_text()))
                 self.assertEqual([error.message for error in errors], [])
 
-    def test_arrays_of_numpy_are_numbers(self):
+    def test_numpy_arrays_are_accepted(self):
         class Array:
             def __init__(self, value):
                 self.value = value
@@ -100,23 +100,38 @@ class Module(unittest.TestCase):
         self.assertEqual(written["figures"]["f"]["data"]["b"]["columns"]["x"], [1, 2])
         self.assertEqual(written["tables"]["t"]["rows"], [[{"number": 1.5, "bound": 0.1}]])
 
-    def test_mistakes_have_the_line_of_the_script(self):
+    def test_mistakes_are_one_line_with_the_line_of_the_script(self):
         line = '    document.value("count", 12)\n'
         for what, mistake, message in [
-                ("not finite", 'document.value("x", float("nan"), digits=3)', "nan is no finite number"),
-                ("twice", 'document.value("length", 1)', "'length' is registered already, at fit.py:5"),
+                ("not finite", 'document.value("x", float("nan"), digits=3)', "nan is not a finite number"),
+                ("twice", 'document.value("length", 1)', "'length' is registered twice, first at fit.py:5"),
                 ("two formats", 'document.value("x", 1.5, error=1, digits=2, percent=1)', "significant(2) and percent(1): give one format"),
                 ("no error", 'document.value("x", 1.5, digits=2)', "fit.py:6"), ("no format", 'document.value("x", 1.5, error=0.1)', "value 'x' needs a format: digits="),
                 ("a unit", 'document.value("x", 1.5, error=0.1, digits=2, unit="mm m {}")', "fit.py:6"),
                 ("a key", 'document.value("x y", 1)', "'x y'"), ("a table row", 'document.table("t", [literate.column("c")], [["a", "b"]])', "fit.py:6")]:
             with self.subTest(what):
-                code, said = self.run_script(EVERYTHING.replace(line, f"    {mistake}\n"))
+                code, output = self.run_script(EVERYTHING.replace(line, f"    {mistake}\n"))
                 self.assertNotEqual(code, 0)
-                self.assertIn(message, said)
-                if "Traceback" in said:
-                    self.assertIn('fit.py", line 6', said)
+                self.assertIn(message, output)
+                self.assertRegex(output, r"^fit.py:6: .*\n$")
 
-    def test_json_that_is_none_of_it_is_refused_in_one_line(self):
+    def test_a_mistake_in_the_case_is_one_line(self):
+        script = """import literate
+
+def compute(document, case):
+    document.value("x", case["solver"].pop("steps"))
+    if case["solver"]:
+        raise literate.Error("unknown key")
+
+literate.run(compute)
+"""
+        for case, message in [("[solver]\nsteps = 1\n", None), ("[solver]\nstep = 1\n", "fit.py:4: the case has no key 'steps', did you mean 'step'?"),
+                              ("", "fit.py:4: the case has no key 'solver'"), ("[solver]\nsteps = 1\nx = 1\n", "fit.py:6: unknown key"),
+                              ("[solver]\nsteps = = 1\n", "case.toml: Invalid value (at line 2, column 9)")]:
+            with self.subTest(case):
+                self.assertEqual(self.run_script(script, case), (2, f"{message}\n") if message else (0, ""))
+
+    def test_invalid_json_is_refused_in_one_line(self):
         right = '{"schema": 1, "values": {"x": {"number": 1, "format": "integer()"}}}'
         for text in (right[:-5], right.replace("1,", "2,", 1), right.replace("number", "nubmer"), "[]", right.replace("1, \"format", "NaN, \"format"),
                      right.replace('"values": {', '"values": {"x": {"number": 1, "format": "integer()"}, ')):
@@ -127,7 +142,7 @@ class Module(unittest.TestCase):
                 self.assertIn("out.json", ran.stderr)
                 self.assertFalse((self.folder / "generated").exists())
 
-    def test_the_script_of_the_tests_is_one(self):
+    def test_the_script_of_the_other_tests_is_valid(self):
         self.assertEqual(self.run_script(SCRIPT, "x = 1.5\nerror = 1e-4\nslope = 2.0\nlimit = 10.0\n")[0], 0)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A new paper in C++ builds at once, from a checkout and from an installation. LITERATE_BUILD names CMake's folder of the engine."""
+"""A new paper in C++ builds at once, from a checkout and from an installation. LITERATE_BUILD is the engine's build folder."""
 
 import os
 import shutil
@@ -13,7 +13,7 @@ from paper import ENGINE
 
 class NewInCpp(unittest.TestCase):
     def run_in(self, folder: Path, *command: str | Path) -> str:
-        """Runs a command that must succeed and returns all that it prints."""
+        """Runs a command that must succeed and returns its output."""
         ran = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.assertEqual(ran.returncode, 0, ran.stdout)
         return ran.stdout

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`literate new` and the Makefile of a new paper, with an installed engine but for its C++ library."""
+"""`literate new` and the Makefile of a new paper, with an installed engine without its C++ library."""
 
 import os
 import shutil
@@ -20,7 +20,7 @@ class New(unittest.TestCase):
         self.environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "ENGINE", "MAKEFLAGS", "MAKELEVEL")}
 
     def installed(self, name: str) -> Path:
-        """Returns an engine in PREFIX/share/literate as it is installed, but for the C++ library, which papers by scripts do not need."""
+        """Installs an engine without its C++ library, which scripts do not need, and returns the prefix."""
         engine = self.folder / name / "share" / "literate"
         shutil.copytree(ENGINE, engine, ignore=shutil.ignore_patterns("*.cpp", "*.hpp", "__pycache__"))
         shutil.copytree(ENGINE / "template", engine / "template", dirs_exist_ok=True)
@@ -31,7 +31,7 @@ class New(unittest.TestCase):
         return self.folder / name
 
     def run_in(self, folder: Path, *command: str | Path, code: int = 0) -> str:
-        """Runs a command and returns all that it prints."""
+        """Runs a command and returns its output."""
         ran = subprocess.run(command, cwd=folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.assertEqual(ran.returncode, code, ran.stdout)
         return ran.stdout
@@ -41,7 +41,7 @@ class New(unittest.TestCase):
         self.run_in(self.folder, prefix / "bin" / "literate", "new", *options, "cup")
         return self.folder / "cup"
 
-    def test_a_paper_in_python_builds_at_once_without_a_compiler_and_all_verbs_work_on_it(self):
+    def test_all_targets_work_in_a_new_python_paper_without_a_compiler(self):
         prefix = self.installed("engine")
         self.environment |= {"CXX": "/none", "CC": "/none"}
         paper = self.new_paper(prefix, "--python")
@@ -58,25 +58,27 @@ class New(unittest.TestCase):
         self.assertIn("3 faults turn 2 of 2 claims", self.run_in(paper, "make", "severity"))
         self.assertIn("cup.tar.gz", self.run_in(paper, "make", "dist"))
         self.assertIn("cases.csv", self.run_in(paper, "make", "cases", "J=2"))
+        (paper / "case.toml").write_text((paper / "case.toml").read_text().replace("angle = 90", "angle = 60"))
+        self.assertIn("verdict  claim  longer: holds → fails", self.run_in(paper, "make", "changes"))
         self.assertTrue((paper / "build/cases/swing-60/cup.pdf").exists())
         self.assertLessEqual(len(self.run_in(paper, "make", "help").splitlines()), 20)
 
-    def test_an_error_is_printed_without_the_command_that_failed(self):
+    def test_an_error_is_printed_without_the_failed_command(self):
         paper = self.new_paper(self.installed("engine"), "--python")
         prose = paper / "paper" / "cup.tex"
         prose.write_text(prose.read_text().replace(r"\val{period}", r"\val{perod}"))
-        said = self.run_in(paper, "make", code=2).splitlines()
-        self.assertEqual(said[-2], "paper/cup.tex:19: unknown value 'perod', did you mean 'period'?")
-        self.assertNotIn("FAILED", "\n".join(said))
+        output = self.run_in(paper, "make", code=2).splitlines()
+        self.assertEqual(output[-2], "paper/cup.tex:19: unknown value 'perod', did you mean 'period'?")
+        self.assertNotIn("FAILED", "\n".join(output))
 
-    def test_an_engine_that_moved_is_found_again_or_asked_for(self):
+    def test_a_moved_engine_is_found_or_requested(self):
         prefix = self.installed("one")
         paper = self.new_paper(prefix, "--python")
         self.run_in(paper, "make")
         pdf = (paper / "build/cup/cup.pdf").read_bytes()
         two = prefix.rename(self.folder / "two")
-        said = self.run_in(paper, "make", code=2)
-        self.assertIn(f"there is no engine in '{self.folder}/one/share/literate': make ENGINE=folder", said)
+        output = self.run_in(paper, "make", code=2)
+        self.assertIn(f"there is no engine in '{self.folder}/one/share/literate': run make ENGINE=folder", output)
         self.run_in(paper, "make", f"ENGINE={two}/share/literate")
         self.run_in(paper, "make")  # it is remembered
         three = two.rename(self.folder / "three")
@@ -89,24 +91,24 @@ class New(unittest.TestCase):
         self.run_in(moved, "make")
         self.assertEqual((moved / "build/cup/cup.pdf").read_bytes(), pdf)
 
-    def test_of_two_makes_at_once_one_waits_for_the_other(self):
+    def test_a_second_make_waits_for_the_first(self):
         paper = self.new_paper(self.installed("engine"), "--python")
         makes = [subprocess.Popen(["make"], cwd=paper, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
                  for _ in range(2)]
-        said = [make.communicate()[0] for make in makes]
-        self.assertEqual([make.returncode for make in makes], [0, 0], said)
-        self.assertEqual(sorted("typeset cup" in one for one in said), [False, True])
+        output = [make.communicate()[0] for make in makes]
+        self.assertEqual([make.returncode for make in makes], [0, 0], output)
+        self.assertEqual(sorted("typeset cup" in one for one in output), [False, True])
         pdf = (paper / "build/cup/cup.pdf").read_bytes()
         self.run_in(paper, "make", "clean")
         self.run_in(paper, "make")
         self.assertEqual((paper / "build/cup/cup.pdf").read_bytes(), pdf)
 
-    def test_a_folder_that_is_there_and_a_name_that_does_not_fit_are_refused(self):
+    def test_an_existing_folder_and_an_invalid_name_are_refused(self):
         literate = [sys.executable, ENGINE / "tools" / "literate", "new"]
-        self.assertIn("the name of a paper has letters", self.run_in(self.folder, *literate, "a b", code=2))
+        self.assertIn("the name of a paper consists of letters", self.run_in(self.folder, *literate, "a b", code=2))
         (self.folder / "full").mkdir()
         (self.folder / "full" / "file").touch()
-        self.assertIn("this folder is there already", self.run_in(self.folder, *literate, "full", code=2))
+        self.assertIn("this folder exists and is not empty", self.run_in(self.folder, *literate, "full", code=2))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A small paper in a separate folder, for tests. LITERATE_RESULTS names the program literate-results."""
+"""A small paper in a temporary folder, for tests. LITERATE_RESULTS is the path of literate-results."""
 
 import os
 import re
@@ -58,7 +58,7 @@ FAULTS = "big | compute.py | case[\"x\"] > 1 | case[\"x\"] > 2 | the flag\n"
 
 
 class Paper:
-    """The folder of a paper; `run` calls a program in it."""
+    """A paper in a folder."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -85,31 +85,31 @@ class Paper:
         self.write(name, text.replace(before, after))
 
     def run(self, *command: str, **options) -> tuple[int, str]:
-        """Runs a program in the paper's folder and returns its exit code and all that it prints."""
+        """Runs a program in the paper's folder and returns its exit code and output."""
         ran = subprocess.run(command, cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              text=True, errors="replace", **options)
         return ran.returncode, ran.stdout
 
     def literate(self, *arguments: str) -> tuple[int, str]:
-        """Runs a verb."""
+        """Runs a verb of `literate`."""
         return self.run(*LITERATE, *arguments)
 
     def make(self, target: str = "small") -> tuple[int, str]:
-        """Configures if needed, and builds."""
+        """Configures if needed and builds."""
         if not (self.build / "build.ninja").exists():
-            code, said = self.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release")
+            code, output = self.run("cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release")
             if code:
-                return code, said
+                return code, output
         return self.run("ninja", "-C", str(self.build), target)
 
     def clean_pdf(self) -> bytes:
-        """Returns the PDF of a build from nothing beside this one."""
+        """Returns the PDF of a clean build of a copy."""
         with tempfile.TemporaryDirectory() as folder:
             copy = Paper(Path(folder, "clean"))
             shutil.copytree(self.folder, copy.folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("build"))
             copy.environment = self.environment
-            code, said = copy.make()
-            assert copy.pdf.exists(), said
+            code, output = copy.make()
+            assert copy.pdf.exists(), output
             return copy.pdf.read_bytes()
 
     def text(self) -> str:
@@ -125,14 +125,14 @@ class Paper:
         subprocess.run([*git, "commit", "--quiet", "-m", message], cwd=self.folder, check=True)
 
 
-def rules_in(said: str) -> list[str]:
-    """Returns the rules that ran, as Ninja printed them, but for the commit, which is always looked up."""
-    return [rule for rule in re.findall(r"^\[\d+/\d+\] (.*)$", said, re.MULTILINE)
+def rules_in(output: str) -> list[str]:
+    """Returns the rules that Ninja ran, without those that run in every build."""
+    return [rule for rule in re.findall(r"^\[\d+/\d+\] (.*)$", output, re.MULTILINE)
             if not rule.startswith(("look up", "Re-", "check the claims"))]
 
 
 class PaperTest(unittest.TestCase):
-    """A test with a paper that is not built yet."""
+    """A test with a paper that has not been built."""
 
     maxDiff = None
 
@@ -142,7 +142,7 @@ class PaperTest(unittest.TestCase):
         self.paper = Paper(Path(folder.name).resolve() / "small")
 
     def make(self, code: int = 0, paper: Paper | None = None) -> str:
-        """Builds and requires an exit code; returns what was printed."""
-        found, said = (paper or self.paper).make()
-        self.assertEqual(found, code, said)
-        return said
+        """Builds, requires an exit code, and returns the output."""
+        found, output = (paper or self.paper).make()
+        self.assertEqual(found, code, output)
+        return output

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What literate.sty prints, where it prints it, and what it writes down."""
+"""The output of literate.sty in the PDF, and the uses that it records."""
 
 import subprocess
 import unittest
@@ -26,7 +26,7 @@ class Sty(PaperTest):
         return self.paper.text()
 
     def uses(self) -> list[tuple[str, str, str]]:
-        """Returns what the document used, with the places."""
+        """Returns the recorded uses with their places."""
         return [(use.kind, use.name, use.place) for use in read_uses(read_settings(self.paper.settings))]
 
     def test_values_are_printed_wherever_latex_prints(self):
@@ -41,7 +41,7 @@ class Sty(PaperTest):
         self.assertIn(r"\0001\000.\0005\0000\000\040\000m", bookmarks)
         self.assertIn(r"\000b\000i\000g", bookmarks)
 
-    def test_each_use_is_written_once_with_its_place(self):
+    def test_each_use_is_recorded_once_with_its_place(self):
         self.typeset("\\tableofcontents\n\\section{\\val{x}}\n\\ifflag{big}{\\quoted{the words, 5\\,\\%}}{\\val{share}}\n\\input{sections/more}\n"
                      "\\statement[us]{short}{It is \\val[2]{x}.}\n\n\\fig{line}\\claim{short} \\parbox{1cm}{\\val{x}}\\claimledger")
         self.assertEqual(sorted(self.uses()), sorted([
@@ -51,7 +51,7 @@ class Sty(PaperTest):
             ("fig", "line", "paper/small.tex:13"), ("claim", "short", "paper/small.tex:13"),
             ("val", "x", "paper/small.tex:13"), ("val", "x", "paper/small.tex:11")]))  # the last one is printed by the ledger
 
-    def test_a_verdict_is_in_the_margin_or_where_there_is_none_in_the_text(self):
+    def test_a_verdict_is_in_the_margin_or_without_one_in_the_text(self):
         words = self.typeset("A sentence \\claim{short}.\n\nA box \\fbox{\\parbox{5cm}{boxed \\claim{short}}}, a note\\footnote{noted \\claim{short}}, "
                              "$x$ \\mbox{kept \\claim{short}}.\n\n\\claim{short} begins.\n\\begin{figure}\\caption{Captioned \\claim{short}.}\\end{figure}"
                              "\n\\begin{tabular}{p{5cm}}celled \\claim{short}\\end{tabular}")
@@ -70,18 +70,18 @@ class Sty(PaperTest):
         self.paper.write("paper/severity.tex", "\\LiterateTurned{short}{big}\n")
         words = " ".join(self.typeset("\\statement[folklore, p.~3]{short}{It fits \\emph{well}, 5\\,\\%.}\n\\claimledger").split())
         for part in ("C1 holds. It fits well, 5 %. (folklore, p. 3)", "Route: the number itself; compute.py:12. Turned by these planted faults: big.",
-                     "length (limit from choice: a room)", "1.50 m", "≤ 10 m"):
+                     "length (limit from choice: a", "room)", "1.50 m", "≤ 10 m"):
             self.assertIn(part, words)
         self.paper.replace("paper/small.tex", "It fits", "It does fit")
         self.make()
         self.assertIn("It does fit well", " ".join(self.paper.text().split()))
 
-    def test_a_statement_leaves_no_blank(self):
+    def test_a_statement_leaves_no_space(self):
         words = self.typeset("One \\statement{short}{S.} two.\n\\[ x \\]\n\\statement{short}{S.}\nThree.")
         self.assertIn("One two.", words)
         self.assertRegex(words, r"(?m)^Three\.$")
 
-    def test_data_are_attached(self):
+    def test_attachdata_attaches_the_csv_files(self):
         self.typeset("\\attachdata text")
         listed = subprocess.run(["pdfdetach", "-list", self.paper.pdf], capture_output=True, text=True, check=True).stdout
         self.assertEqual([line.split()[-1] for line in listed.splitlines()[1:]], ["claims.csv", "tables.csv", "values.csv"])
@@ -102,7 +102,7 @@ class Sty(PaperTest):
         self.make()
         self.assertRegex(self.paper.text(), r"[0-9a-f]{12} with changes,")
 
-    def test_a_table_may_have_notes_and_the_drawing_of_a_figure_is_its_own(self):
+    def test_tables_have_notes_and_drawings_come_from_the_folder_of_the_figure(self):
         self.paper.replace("compute.py", '["second", (2.5, 1e-3)]])', '["second", (2.5, 1e-3)]], ["Below the table, 100\\\\,\\\\%."])')
         self.paper.write("paper/line.tex", "not this")
         self.paper.write("paper/generated/tables/lengths.tex", "not this")
@@ -110,7 +110,7 @@ class Sty(PaperTest):
         self.assertIn("Below the table, 100 %.", words)
         self.assertNotIn("not this", words)
 
-    def test_only_the_basic_packages_of_tex_live_are_needed(self):
+    def test_the_basic_packages_of_tex_live_suffice(self):
         self.typeset("\\val{x}\\claim{short}\\claimledger\\tab{lengths}\\fig{line}", "\\usepackage{hyperref}")
         fls = (self.paper.output / "latex" / "small.fls").read_text()
         files = {line[6:] for line in fls.splitlines() if line.startswith("INPUT /usr/share/tex") and line.endswith((".sty", ".def", ".cfg"))}

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Who follows TUTORIAL.md gets what it prints: its files are written, its commands run and their output compared, in its order.
-The manual's section on Python makes the same paper, and its paper with a fit is the same in both languages.
+"""TUTORIAL.md works as printed: the test writes its files, runs its commands and compares their output, in order. The manual's
+section on Python gives the same paper, and its paper with a fit is the same in both languages.
 
-A file is a block of code behind a line with the file's name in bold; a line that begins with «Add to» adds the block above the
-comment that says what comes there. A block `console` has commands, each with what it prints. LITERATE_BUILD names CMake's folder
-of the engine.
+A line with a file name in bold precedes the block of code with the content of the file. If the line begins with «Add to», the
+block goes above the comment in the file that marks the spot. A block `console` has commands with their output. LITERATE_BUILD is
+the engine's build folder.
 """
 
 import json
@@ -19,7 +19,7 @@ from paper import ENGINE
 
 BLOCK = re.compile(r"^([^\n]*)\n```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMENT = re.compile(r"^.*Table, figure and claim come here\.\n", re.MULTILINE)
-PROGRESS = re.compile(r"\[\d+/\d+\] |-- |make: \*\*\* ")  # a terminal does not keep it; CMake's; how make ends
+PROGRESS = re.compile(r"\[\d+/\d+\] |make: \*\*\* ")  # progress of Ninja; the last line of make
 
 
 class Reader:
@@ -30,7 +30,7 @@ class Reader:
         self.test = test
 
     def follow(self, text: str) -> None:
-        """Does what each block of a part of the tutorial says."""
+        """Writes the files and runs the commands of a part of the tutorial."""
         for line, language, content in BLOCK.findall(text):
             if language == "console":
                 self.run_all(content)
@@ -47,7 +47,7 @@ class Reader:
         path.write_text(content)
 
     def run_all(self, content: str) -> None:
-        """Runs commands and compares what they print."""
+        """Runs commands and compares their output."""
         for part in re.split(r"^\$ ", content, flags=re.MULTILINE)[1:]:
             command, _, expected = part.partition("\n")
             if command.startswith("cd "):
@@ -58,7 +58,7 @@ class Reader:
             self.test.assertEqual("".join(lines), expected, command)
 
     def results(self) -> dict:
-        """Returns the results without places and the case."""
+        """Returns the results without places."""
         text = next(self.folder.glob("build/*/generated/results.json")).read_text()
         return json.loads(re.sub(r'"place": *"[^"]*"', '"place": ""', text))
 
@@ -77,7 +77,7 @@ class Tutorial(unittest.TestCase):
         os.environ |= {f"GIT_{who}_{what}": "reader@example.org" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
 
     def reader(self, home: str, *new: str) -> Reader:
-        """Returns a reader, who begins with a new paper without its pendulum if one is given."""
+        """Returns a reader, who starts with an empty folder or, given arguments of `literate new`, with a new paper."""
         (self.base / home).mkdir()
         reader = Reader(self.base / home, self)
         if new:
@@ -85,7 +85,7 @@ class Tutorial(unittest.TestCase):
                            f"$ cd {new[-1]}\n$ rm -r src/* tests cases faults.txt figures/period.gp\n")
         return reader
 
-    def test_the_tutorial_builds_and_its_messages_are_those_that_come_in_python_as_well(self):
+    def test_the_tutorial_prints_what_it_shows_and_python_gives_the_same_results(self):
         reader = self.reader("cpp")
         reader.follow((ENGINE / "TUTORIAL.md").read_text())
         follower = self.reader("python", "--python", "well")

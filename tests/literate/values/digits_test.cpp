@@ -13,8 +13,7 @@ using literate::Format;
 using literate::Number;
 using literate::Value;
 
-/// The number of a row: with its bound and standard uncertainty, or as it is where nobody knows
-/// them.
+/// The number of a row with its errors, or as_is if they are unknown.
 Value value_of(const CsvRow& row) {
   const double number = sys::parsed<double>(row[0]).value();
   const Format format = Format::parse(row[3]);
@@ -30,8 +29,8 @@ Value value_of(const CsvRow& row) {
 
 BOOST_AUTO_TEST_SUITE(digits_test)
 
-// digits.csv: what numbers with their errors print in each format. Most rows are numbers of a
-// report on contact mechanics; the others are the promises of literate/values/format.hpp.
+// digits.csv lists numbers, their errors and formats, and the printed digits. Most rows come from a
+// report on contact mechanics; the others are the examples in literate/values/format.hpp.
 BOOST_AUTO_TEST_CASE(formats_print_the_digits_of_the_table) {
   const auto rows = csv_rows(ENGINE_TESTS "/values/digits.csv");
   BOOST_TEST(rows.size() > 100);

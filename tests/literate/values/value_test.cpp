@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(latex_groups_digits_and_works_in_text_and_in_formulas) {
   BOOST_TEST(latex(Value::text("--nodes 91")) == "-{}-nodes 91");
 }
 
-BOOST_AUTO_TEST_CASE(no_print_shows_a_digit_that_is_not_earned) {
+BOOST_AUTO_TEST_CASE(only_earned_digits_are_printed) {
   RandomInputs random(20261128);
   for (int i = 0; i < 2000; ++i) {
     const double number = random.sign() * random.log_uniform(1e-9, 1e9);
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(no_print_shows_a_digit_that_is_not_earned) {
       BOOST_REQUIRE_GE(unit * (1 + 1e-9), bound);
       BOOST_REQUIRE_LE(std::abs(number_of(printed.decimal) - number), unit / 2 * (1 + 1e-9));
     }
-    // What stands behind ± holds the true number, though the printed one is rounded.
+    // The printed bound includes the rounding of the printed number.
     const auto with_bound = literate::rounded(uncertain(), number, Number(number, bound));
     const double stated =
         std::stod(with_bound.bound) * std::pow(10, with_bound.exponent.value_or(0));
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(no_print_shows_a_digit_that_is_not_earned) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(earned_digits_are_those_that_val_may_print) {
+BOOST_AUTO_TEST_CASE(earned_digits_limit_val) {
   BOOST_TEST(Value(Estimate{2.0064, 3e-4}, significant(2), "s").n_earned_digits() == 4);
   BOOST_TEST(Value({79.4, 0, 0.3}, uncertain()).n_earned_digits() == 3);
   BOOST_TEST(Value(Estimate{9.996, 0.01}, significant(2)).n_earned_digits() == 4);  // 10.00
@@ -97,14 +97,14 @@ BOOST_AUTO_TEST_CASE(earned_digits_are_those_that_val_may_print) {
   BOOST_TEST(with_digits(9) == "1250 N");
 }
 
-BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_told_where_the_value_is_used) {
+BOOST_AUTO_TEST_CASE(the_use_of_an_invalid_value_is_an_error) {
   const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
   BOOST_TEST(problem_of({nan, exact()}) == "nan is not finite");
   BOOST_TEST(problem_of({{1, nan}, fixed(1)}) == "the bound nan is not finite or below zero");
   BOOST_TEST(problem_of({{1, -0.1}, fixed(1)}) == "the bound -0.1 is not finite or below zero");
   BOOST_TEST(problem_of({{1, 0, infinite}, uncertain()}) ==
              "the standard uncertainty inf is not finite or below zero");
-  BOOST_TEST(holds(problem_of({2.9, fixed(1)}), "2.9 comes without its error"));
+  BOOST_TEST(holds(problem_of({2.9, fixed(1)}), "2.9 has no error"));
   BOOST_TEST(problem_of({2.5, integer()}) == "2.5 is not a whole number");
   BOOST_TEST(problem_of({{2, 0.1}, integer()}) ==
              "2 has an error and cannot be printed as integer()");
@@ -112,11 +112,11 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_told_where_the_value_is_used) {
              "2.5 has no error, which uncertain() prints");
   BOOST_TEST(problem_of({{1, 0.1}, significant(0)}) == "0 significant digits: there are 1 to 17");
   BOOST_TEST(problem_of({{1, 0.1}, fixed(-1)}) == "-1 decimals: there are 0 to 100");
-  BOOST_TEST(holds(problem_of({1, exact(), "{ }"}), "'{ }' is no unit"));
+  BOOST_TEST(holds(problem_of({1, exact(), "{ }"}), "'{ }' is not a unit"));
   BOOST_TEST(problem_of({{0.1, 0.01}, percent(1), "m"}) ==
              "a percentage has no other unit, such as m");
   BOOST_TEST(holds(problem_of({{-3, 1}, fixed(1).rounded_up()}), "-2 is negative"));
-  BOOST_TEST(holds(problem_of({{3, 0, 1}, fixed(1).rounded_up()}), "which is no bound"));
+  BOOST_TEST(holds(problem_of({{3, 0, 1}, fixed(1).rounded_up()}), "which is not a bound"));
   BOOST_TEST(problem_of({3, exact().rounded_up()}) == "exact() cannot round up");
   BOOST_TEST(holds(problem_of(Value(1, fixed(1)).within(0)), "within(0)"));
   BOOST_TEST(holds(problem_of(Value(1, exact()).within(0.1)), "its error is known already"));
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_told_where_the_value_is_used) {
   BOOST_TEST(holds(problem_of(Value::text("\xff")), "not UTF-8"));
 }
 
-BOOST_AUTO_TEST_CASE(formats_are_spelt_as_they_are_written) {
+BOOST_AUTO_TEST_CASE(a_format_reads_back_from_its_text) {
   for (const char* text : {"significant(4)", "fixed(2)", "scientific(3)", "percent(1)", "integer()",
                            "exact()", "uncertain()", "significant(2).in_percent()",
                            "percent(0).rounded_up()", "scientific(1).in_percent().rounded_up()"}) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs Ninja in the folder build/ and prints what matters: one line that changes on a terminal, and of a rule that fails its
-own words without its command.
+"""Runs Ninja in the folder build/ and prints what matters: one changing line on a terminal, and the messages of a failed rule
+without its command.
 
 examples:
   literate build mypaper
@@ -24,15 +24,20 @@ def run(arguments: list[str]) -> int:
     arguments_of.add_argument("targets", nargs="*", help="what to build (everything)")
     arguments_of.add_argument("--folder", type=Path, default=Path("build"), help="CMake's folder (build)")
     given = arguments_of.parse_args(arguments)
+    ninja = [tool("ninja", "ninja-build"), "-C", str(given.folder)]
+    # CMake runs again if a script is new or a CMakeLists.txt changed. Only its errors matter.
+    cmake = subprocess.run([*ninja, "build.ninja"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    if cmake.returncode:
+        show(cmake.stdout.splitlines(), on_terminal=False)
+        return cmake.returncode
     # Rules that print while they run, such as long computations, write to standard error.
-    command = [tool("ninja", "ninja-build"), "-C", str(given.folder), *given.targets]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, errors="replace") as ninja:
-        show(ninja.stdout, sys.stdout.isatty())
-    return ninja.returncode
+    with subprocess.Popen([*ninja, *given.targets], stdout=subprocess.PIPE, text=True, errors="replace") as running:
+        show(running.stdout, sys.stdout.isatty())
+    return running.returncode
 
 
 def show(lines, on_terminal: bool) -> None:
-    """Prints Ninja's lines as they come."""
+    """Prints Ninja's output line by line."""
     status, is_command = False, False
     for line in lines:
         line = line.rstrip("\n")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computes, draws and typesets one case into a folder. It writes nothing else, so any number of cases may run at the same
-time, here or on a cluster, and each may be repeated. The program of the paper has to be built before.
+"""Computes, draws and typesets one case into a folder. It writes nothing else, so any number of cases can run at the same time,
+here or on a cluster, and each can be repeated. Build the program of the paper first.
 
 examples:
   literate case build/mypaper.json cases/long.toml build/cases/long
@@ -21,7 +21,7 @@ def run(arguments: list[str]) -> int:
     arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
     arguments_of.add_argument("file", type=Path, help="the case")
     arguments_of.add_argument("folder", type=Path, help="where to write")
-    arguments_of.add_argument("--numbers", action="store_true", help="write the numbers only")
+    arguments_of.add_argument("--numbers", action="store_true", help="write only the numbers")
     given = arguments_of.parse_args(arguments)
     if not given.file.is_file():
         raise Failure(f"{given.file}: there is no such file")

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares the results of a paper that is built with former ones: those of a commit, which is computed again in a clone, or
-those in a results.json or a manifest. Lists what is new, gone, moved beyond or within the sum of both errors, and each verdict,
-flag or limit that is different, with the places in the prose that print it: those to read again. The list is written to
-changes.csv beside the PDF as well.
+"""Compares the results of a built paper with earlier ones: those of a commit, which a clone computes again, or those in a
+results.json or a manifest. Lists numbers that moved beyond or within the sum of both errors, verdicts, flags, limits,
+texts and data of figures that changed, and what is new or gone, with the places in the prose that print it: those to read again.
+The list is written to changes.csv beside the PDF as well.
 
 examples:
   literate changes build/mypaper.json v1.0
-  literate changes build/mypaper.json HEAD~3 --pdf    also a PDF with marked changes (Debian package latexdiff)
+  literate changes build/mypaper.json HEAD~3 --pdf    writes a PDF with marked changes as well (Debian package latexdiff)
   literate changes build/mypaper.json other/results.json
 """
 
@@ -22,12 +22,12 @@ from literate_tools.common import Failure, configure, git, parser, quiet_run, wr
 from literate_tools.settings import Settings, read_results, read_settings
 from literate_tools.uses import NAMED, read_uses
 
-ORDER = ("verdict", "beyond", "new", "gone", "limit", "within")
+ORDER = ("verdict", "beyond", "changed", "new", "gone", "limit", "within")
 
 
 @dataclass(frozen=True)
 class Change:
-    """One difference; before or after is empty for what is new or gone."""
+    """One difference. `before` is empty for what is new and for data, `after` for what is gone."""
 
     change: str  # one of ORDER
     part: str  # values, flags, tables, figures, checks, claims
@@ -41,27 +41,27 @@ def run(arguments: list[str]) -> int:
     arguments_of = parser("changes", __doc__)
     arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
     arguments_of.add_argument("since", help="a commit, a tag, or a file with results")
-    arguments_of.add_argument("--pdf", action="store_true", help="write NAME.changes.pdf, in which all changes are marked")
+    arguments_of.add_argument("--pdf", action="store_true", help="write NAME.changes.pdf, with all changes marked")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
-    former = Path(given.since) if Path(given.since).is_file() else results_of_commit(settings, given.since) / "results.json"
-    changes = compare(read_results(former), read_results(settings.generated / "results.json"))
-    changes += changed_data(former.parent, settings.generated)
+    earlier = Path(given.since) if Path(given.since).is_file() else results_of_commit(settings, given.since) / "results.json"
+    changes = compare(read_results(earlier), read_results(settings.generated / "results.json"))
+    changes += changed_data(earlier.parent, settings.generated)
     show(settings, changes)
     if given.pdf:
         from literate_tools.marked import write_marked_pdf
         if Path(given.since).is_file():
-            raise Failure("--pdf needs the prose of a commit, and this is a file")
-        write_marked_pdf(settings, given.since, former.parent)
+            raise Failure("--pdf needs the prose of a commit, not a file")
+        write_marked_pdf(settings, given.since, earlier.parent)
     return 0
 
 
 def results_of_commit(settings: Settings, since: str) -> Path:
-    """Computes the paper of a commit in a clone, once, and returns the folder with its results."""
+    """Computes the paper of a commit in a clone, unless that is done already, and returns the folder with its results."""
     commit = git(settings.source, "rev-parse", "--verify", "--quiet", f"{since}^{{commit}}")
     if not commit:
         raise Failure(f"{since}: neither a file nor a commit of this repository; in a shallow clone, 'git fetch --unshallow'")
-    kept = settings.output / "former" / commit[:12]
+    kept = settings.output / "earlier" / commit[:12]
     if (kept / "results.json").exists():
         return kept
     root = Path(git(settings.source, "rev-parse", "--show-toplevel"))
@@ -95,7 +95,7 @@ def compare(old: dict, new: dict) -> list[Change]:
 
 
 def brief(entry: dict | None) -> str:
-    """Returns how something is printed, in a few words."""
+    """Returns the printed form of an entry, or a few words about it."""
     if entry is None:
         return ""
     for key in ("printed", "verdict", "value", "passed"):
@@ -105,15 +105,15 @@ def brief(entry: dict | None) -> str:
 
 
 def error(number: dict) -> float:
-    """Returns the whole error of a number: its bound and twice its standard uncertainty."""
+    """Returns the total error of a number: its bound plus two standard uncertainties."""
     return number.get("bound", 0) + 2 * number.get("standard", 0)
 
 
 def moved(before: dict, after: dict) -> str:
-    """Returns 'beyond' or 'within' for two numbers or texts that differ, and '' for equal ones."""
+    """Returns 'beyond' or 'within' for two numbers that differ, 'changed' for texts and units, and '' for equal ones."""
     if "number" not in before or "number" not in after or before.get("unit") != after.get("unit"):
         keys = ("number", "unit", "text", "latex")
-        return "" if all(before.get(key) == after.get(key) for key in keys) else "beyond"
+        return "" if all(before.get(key) == after.get(key) for key in keys) else "changed"
     difference = abs(before["number"] - after["number"])
     if difference > error(before) + error(after):
         return "beyond"
@@ -143,7 +143,7 @@ def compare_table(part: str, name: str, before: dict, after: dict) -> list[Chang
     headings = [[column["heading"] for column in table["columns"]] for table in (before, after)]
     if len(before["rows"]) != len(after["rows"]) or headings[0] != headings[1]:
         shapes = [f"{len(table['rows'])} rows of {', '.join(heading)}" for table, heading in zip((before, after), headings)]
-        return [Change("beyond", part, name, *shapes)]
+        return [Change("changed", part, name, *shapes)]
     changes = []
     for row, (old_row, new_row) in enumerate(zip(before["rows"], after["rows"]), 1):
         for heading, old, new in zip(headings[0], old_row, new_row):
@@ -155,24 +155,24 @@ def compare_table(part: str, name: str, before: dict, after: dict) -> list[Chang
 
 
 def compare_figure(part: str, name: str, before: dict, after: dict) -> list[Change]:
-    """Compares the sizes, numbers, texts and columns of two figures."""
+    """Compares the sizes, numbers, texts and columns of two figures, which have no errors."""
     keys = [key for key in ("width_cm", "height_cm", "numbers", "texts", "data") if before[key] != after[key]]
-    return [Change("beyond", part, f"{name}: {key}", str(before[key]), str(after[key])) for key in keys]
+    return [Change("changed", part, f"{name}: {key}", str(before[key]), str(after[key])) for key in keys]
 
 
 COMPARE = {"values": compare_value, "flags": compare_verdict, "tables": compare_table, "figures": compare_figure,
            "checks": compare_verdict, "claims": compare_verdict}
 
 
-def changed_data(former: Path, generated: Path) -> list[Change]:
-    """Returns the data of figures that differ, where both folders have them."""
-    return [Change("beyond", "figures", f"{new.parent.name}: {new.stem}", "data", "different data")
-            for new in sorted(generated.glob("figures/*/*.csv"))
-            if (old := former / new.relative_to(generated)).exists() and old.read_bytes() != new.read_bytes()]
+def changed_data(earlier: Path, generated: Path) -> list[Change]:
+    """Returns the figures whose data differ between the folders. Data have no errors, so the change may be one of rounding."""
+    changed = {new.parent.name for new in generated.glob("figures/*/*.csv")
+               if (old := earlier / new.relative_to(generated)).exists() and old.read_bytes() != new.read_bytes()}
+    return [Change("changed", "figures", name, "", "its data changed") for name in sorted(changed)]
 
 
 def show(settings: Settings, changes: list[Change]) -> None:
-    """Prints the changes with the places that print them, and writes them as CSV."""
+    """Prints the changes with the lines of the prose that print them, and writes them as CSV."""
     places: dict[tuple[str, str], dict[str, None]] = {}
     for use in read_uses(settings):
         if use.kind in NAMED:

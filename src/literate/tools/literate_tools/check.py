@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lists what a reader or a referee would object to in a paper that is built: numbers that are typed instead of computed,
-names that nothing prints, unknown names in branches that are not taken, undefined references, and with --paper quotations
-that are not in that text (pdftotext writes one). Ends with 1 if there is anything.
+"""Lists what a reader or a referee would object to in a built paper: typed numbers, names that nothing prints, unknown names in
+branches that are not taken, undefined references, and with --paper, quotations that this text does not contain (pdftotext
+writes one). Exits with 1 if there are findings.
 
 examples:
   literate check                               the paper in build/
@@ -25,7 +25,7 @@ def run(arguments: list[str]) -> int:
     """Prints the findings; returns 1 if there are any."""
     arguments_of = parser("check", __doc__)
     arguments_of.add_argument("settings", nargs="?", default="", help="the settings of the paper (the only ones in build/)")
-    arguments_of.add_argument("--paper", type=Path, metavar="TEXT", help="the text that is quoted")
+    arguments_of.add_argument("--paper", type=Path, metavar="TEXT", help="the quoted text")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
     results = read_results(settings.generated / "results.json")
@@ -40,28 +40,28 @@ def run(arguments: list[str]) -> int:
 
 
 def typed(settings: Settings, texts: dict[Path, str]) -> list[str]:
-    """Returns the numbers that are typed into the prose and into the scripts of the figures."""
+    """Returns the numbers typed into the prose and the scripts of the figures."""
     found = [(path, "%", line, number) for path in texts for line, number in typed_numbers(path.read_text(errors="replace"))]
     found += [(path, "#", line, number) for path in settings.scripts for line, number in typed_in_script(path.read_text())]
-    return [f"{settings.shown(path)}:{line}: {number} is typed: register it, or, if it is no result, end the line with "
-            f"'{sign} constant: reason'" for path, sign, line, number in found]
+    return [f"{settings.shown(path)}:{line}: {number} is typed: register it, or end the line with "
+            f"'{sign} constant: reason' if it is not a result" for path, sign, line, number in found]
 
 
 def unknown(settings: Settings, results: dict, texts: dict[Path, str]) -> list[str]:
-    """Returns names that the program does not register, which LaTeX does not see in branches that are not taken."""
+    """Returns the names that the program does not register. LaTeX does not see those in branches that are not taken."""
     found = [(path, line, NAMED[command], name) for path, text in texts.items() for command, name, line in names_in(text)]
     return [f"{settings.shown(path)}:{line}: unknown {SINGULAR[part]} '{name}'{nearest(name, list(results[part]))}"
             for path, line, part, name in found if name not in results[part] and "#" not in name]
 
 
 def idle_scripts(settings: Settings, results: dict) -> list[str]:
-    """Returns the scripts of figures that the program does not register."""
+    """Returns the scripts whose figure the program does not register."""
     return [f"{settings.shown(script)}: unknown figure '{script.stem}'{nearest(script.stem, list(results['figures']))}"
             for script in settings.scripts if script.stem not in results["figures"]]
 
 
 def unused(results: dict, texts: dict[Path, str], uses: list[Use]) -> list[str]:
-    """Returns what is registered and printed nowhere, and claims without their sentence."""
+    """Returns the registered names that nothing prints, and the claims without a sentence."""
     used = {(NAMED[use.kind], use.name) for use in uses if use.kind in NAMED and use.kind != "statement"}
     stated = {use.name for use in uses if use.kind == "statement"}
     for text in texts.values():
@@ -75,7 +75,7 @@ def unused(results: dict, texts: dict[Path, str], uses: list[Use]) -> list[str]:
 
 
 def altered_quotations(uses: list[Use], paper: Path) -> list[str]:
-    """Returns the quotations that the text of the paper does not contain."""
+    """Returns the quotations that the quoted text does not contain."""
     try:
         text = plain(paper.read_text(errors="replace"))
     except OSError as error:
@@ -85,7 +85,7 @@ def altered_quotations(uses: list[Use], paper: Path) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """Returns the letters, digits and signs of a text: without blanks, hyphens, markup and the shapes of quotes and ligatures."""
+    """Returns a text without blanks, hyphens and markup, with plain quotes and letters in place of ligatures."""
     text = re.sub(r"\\(?:[,;:!/ -]|[A-Za-z]+\s*)|[{}$~\\]", " ", text)
     for shape, letters in SHAPES.items():
         text = text.replace(shape, letters)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What several verbs share: failures, files, other programs."""
+"""Helpers that several verbs share: failures, files, other programs."""
 
 import os
 import shutil
@@ -7,11 +7,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-ENGINE = Path(__file__).resolve().parent.parent.parent  # holds literate.sty, tools/, python/, template/
+ENGINE = Path(__file__).resolve().parent.parent.parent  # with literate.sty, tools/, python/ and template/
 
 
 class Failure(Exception):
-    """Ends the verb with this message and exit code: 1 a comparison failed, 2 bad input, 3 a tool failed."""
+    """Ends the verb with a message and an exit code: 1 for a failed comparison, 2 for bad input, 3 for a failed tool."""
 
     def __init__(self, message: str, code: int = 2) -> None:
         super().__init__(message)
@@ -19,19 +19,19 @@ class Failure(Exception):
 
 
 def nearest(name: str, known: list[str]) -> str:
-    """Returns «, did you mean 'x'?» for the most similar known name, or nothing."""
+    """Returns «, did you mean 'x'?» with the most similar known name, or an empty text."""
     from difflib import get_close_matches
     found = get_close_matches(name, known, n=1, cutoff=0.6)
     return f", did you mean '{found[0]}'?" if found else ""
 
 
 def warn(message: str) -> None:
-    """Prints a line that does not end the verb."""
+    """Prints a line on standard error, and continues."""
     print(message, file=sys.stderr, flush=True)
 
 
 def write_if_changed(path: Path, text: str) -> bool:
-    """Writes a file by renaming a complete one, unless it has this text already: it keeps its time stamp then."""
+    """Writes a file by renaming a complete one. A file that already has this text keeps its time stamp; then returns False."""
     data = text.encode()
     try:
         if path.read_bytes() == data:
@@ -53,15 +53,15 @@ def write_bytes(path: Path, data: bytes) -> None:
 
 
 def file_time(folder: Path) -> int:
-    """Returns the time stamp that a file of this folder gets now, in nanoseconds."""
+    """Returns the time stamp of a file written into this folder now, in nanoseconds."""
     probe = folder / ".now"
     probe.touch()
     return probe.stat().st_mtime_ns
 
 
 def date_back(paths: list[Path], start: int) -> None:
-    """Gives files that were written after `start` that time stamp. What a rule reads may be saved while it runs: Ninja then
-    sees a source that is newer than the result."""
+    """Sets the time stamp of files written after `start` to `start`. A source saved while the rule ran is then newer than the
+    result, and Ninja runs the rule again."""
     for path in paths:
         if path.stat().st_mtime_ns > start:
             os.utime(path, ns=(start, start))
@@ -75,7 +75,7 @@ def sha256(path: Path) -> str:
 
 
 def tool(name: str, package: str = "") -> str:
-    """Returns the path of a program, or fails with the Debian package that has it."""
+    """Returns the path of a program. Fails with the name of its Debian package if it is not installed."""
     found = shutil.which(name)
     if not found:
         raise Failure(f"{name} is not installed (Debian package {package or name})", 3)
@@ -83,7 +83,7 @@ def tool(name: str, package: str = "") -> str:
 
 
 def git(folder: Path, *arguments: str) -> str | None:
-    """Returns what git prints, or None if it fails: no repository, no commit, no git."""
+    """Returns the output of git, or None if it fails: no repository, no commit, no git."""
     try:
         run = subprocess.run(["git", "--no-optional-locks", *arguments], cwd=folder, capture_output=True, text=True,
                              errors="surrogateescape")
@@ -93,7 +93,7 @@ def git(folder: Path, *arguments: str) -> str | None:
 
 
 def quiet_run(command: list[str], what: str, **options) -> None:
-    """Runs a long command without its output, which is printed if it fails."""
+    """Runs a long command, and prints its output only if it fails."""
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                          **options)
     if run.returncode:
@@ -101,13 +101,13 @@ def quiet_run(command: list[str], what: str, **options) -> None:
 
 
 def configure(settings, source: Path, build: Path, output: Path, **options) -> None:
-    """Configures a copy of the project with the engine and the build type of this one."""
+    """Configures a copy of the project with the same engine and build type."""
     quiet_run(["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", *settings.configure,
                f"-D{settings.name}_OUTPUT={output}"], f"configuring {source}", **options)
 
 
 def parser(verb: str, docstring: str):
-    """Returns a parser of arguments whose help is the docstring of a verb's module, with its examples at the end."""
+    """Returns an argument parser whose help is the docstring of the verb's module, with the examples at the end."""
     import argparse
     what, _, examples = docstring.partition("\nexamples:")
     return argparse.ArgumentParser(f"literate {verb}", description=what.strip(), epilog=f"examples:{examples}".rstrip(),

@@ -12,7 +12,7 @@ from literate_tools.settings import Settings, read_settings
 
 
 def run(arguments: list[str]) -> int:
-    """Computes the paper's own case. A claim that fails does not end the build here, but after the PDF."""
+    """Computes the paper's main case. A failed claim ends the build only after the PDF."""
     settings = read_settings(arguments[0])
     settings.generated.mkdir(parents=True, exist_ok=True)
     start = file_time(settings.output)
@@ -24,39 +24,42 @@ def run(arguments: list[str]) -> int:
 
 
 def write_inputs(folder: Path) -> None:
-    """Writes the checksums of what gnuplot reads for one figure. Ninja cannot know the names of the CSV files in advance."""
+    """Writes the checksums of the files that gnuplot reads for one figure. Ninja cannot know their names in advance."""
     files = [*folder.glob("data.gp"), *sorted(folder.glob("*.csv"))]
     write_if_changed(folder / "inputs.txt", "".join(f"{sha256(file)} {file.name}\n" for file in files))
 
 
 def compute(settings: Settings, case: Path, folder: Path) -> int:
-    """Computes one case into a folder. Returns 1 if the folder is complete and a check or claim in it failed."""
+    """Computes one case into a folder. Returns 1 if a check or claim failed; the folder is complete then."""
     folder.mkdir(parents=True, exist_ok=True)
+    named = settings.shown(case)  # as messages name it
     if not settings.script:
-        return finish(call([*settings.program, "compute", str(case), str(folder)], settings), folder)
+        return finish(call([*settings.program, "compute", named, str(folder)], settings), folder)
     registered = folder.parent / "registered.json"
     registered.unlink(missing_ok=True)
-    code = call([*settings.script, str(case), str(registered)], settings)
+    code = call([*settings.script, named, str(registered)], settings)
+    if code == 2:  # bad input; the script printed its message
+        sys.exit(2)
     if code:
         raise Failure(f"{script_name(settings)} ended with {ending(code)}", 3)
     if not registered.exists():
-        raise Failure(f"{script_name(settings)} did not write the file that it is given as its second argument", 3)
+        raise Failure(f"{script_name(settings)} did not write the file named by its second argument", 3)
     return finish(call([settings.results_program, str(registered), str(folder), case.name], settings), folder)
 
 
 def finish(code: int, folder: Path) -> int:
-    """Accepts 0 and 1, after which the folder is complete. The program has printed its own message for the rest."""
+    """Accepts the exit codes 0 and 1, after which the folder is complete. For others the program printed a message."""
     if code < 0:
-        raise Failure(f"the program was ended by {ending(code)}", 3)
+        raise Failure(f"{ending(code)} ended the program", 3)
     if code > 1:
         sys.exit(code)
     if not (folder / "results.json").exists():
-        raise Failure(f"the program ended with {ending(code)} and wrote no results", 3)
+        raise Failure(f"the program wrote no results and ended with {ending(code)}", 3)
     return code
 
 
 def call(command: list[str], settings: Settings) -> int:
-    """Runs one command in the project's folder, where its numbers depend on no locale or time zone."""
+    """Runs one command in the project's folder, with a fixed locale and time zone."""
     environment = os.environ | {"LC_ALL": "C.UTF-8", "TZ": "UTC", "PYTHONDONTWRITEBYTECODE": "1", "PYTHONHASHSEED": "0"}
     others = os.environ.get("PYTHONPATH")
     environment["PYTHONPATH"] = f"{ENGINE / 'python'}{f':{others}' if others else ''}"
@@ -66,11 +69,11 @@ def call(command: list[str], settings: Settings) -> int:
     except FileNotFoundError:
         raise Failure(f"{command[0]}: there is no such program", 3) from None
     except PermissionError:
-        raise Failure(f"{command[0]}: this is no program that can be run", 3) from None
+        raise Failure(f"{command[0]}: this is not a program that can be run", 3) from None
 
 
 def wait(running: subprocess.Popen, is_script: bool) -> int:
-    """Waits for a command; of a script, which shows none, a terminal shows the seconds. Returns the exit code."""
+    """Waits for a command and returns its exit code. For a script, a terminal shows the elapsed seconds."""
     seconds = 0
     while True:
         try:
@@ -89,6 +92,6 @@ def ending(code: int) -> str:
 
 
 def script_name(settings: Settings) -> str:
-    """Returns the script's file, which is the last argument of its command that is a file."""
+    """Returns the script's file: the last word of its command that is a file."""
     files = [Path(word) for word in settings.script if Path(word).is_file()]
     return settings.shown(files[-1]) if files else settings.script[0]

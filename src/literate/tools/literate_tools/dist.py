@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs the sources of the document as arXiv and journals take them: what LaTeX read, numbers and drawings included, and the
-bibliography. They are typeset once in an empty folder without the engine, which must give the same PDF.
+"""Packs the sources of the document for arXiv or a journal: the files that LaTeX read, including numbers and drawings, and the
+bibliography. It typesets them once in an empty folder without the engine, which must give the same PDF.
 
 examples:
   literate dist build/mypaper.json        writes build/mypaper/mypaper.tar.gz
@@ -26,7 +26,7 @@ def run(arguments: list[str]) -> int:
     settings = read_settings(arguments_of.parse_args(arguments).settings)
     data = packed(packed_files(settings))
     if typeset_elsewhere(settings, data) != settings.pdf.read_bytes():
-        raise Failure("the packed sources give a different PDF: is the paper built from what is there now?", 1)
+        raise Failure("the packed sources give a different PDF: is the paper up to date?", 1)
     target = settings.output / f"{settings.name}.tar.gz"
     write_bytes(target, data)
     print(target)
@@ -34,7 +34,7 @@ def run(arguments: list[str]) -> int:
 
 
 def packed_files(settings: Settings) -> dict[str, Path]:
-    """Returns the files to pack by their names in the archive."""
+    """Returns the files to pack, by their names in the archive."""
     files = {}
     for path in recorded(settings):
         if path.is_relative_to(settings.generated):
@@ -44,8 +44,8 @@ def packed_files(settings: Settings) -> dict[str, Path]:
         elif path.name == "literate.sty":
             files["literate.sty"] = path
         elif path.is_relative_to(settings.source):
-            raise Failure(f"{settings.shown(path)}: LaTeX reads this file outside of {settings.shown(settings.document)}, "
-                          "and it cannot be packed")
+            raise Failure(f"{settings.shown(path)}: LaTeX reads this file from outside {settings.shown(settings.document)}, "
+                          "so it cannot be packed")
     for name in ("values.csv", "claims.csv", "tables.csv"):  # which \attachdata reads
         files[f"generated/{name}"] = settings.generated / name
     bibliography = settings.latex / f"{settings.name}.bbl"
@@ -55,7 +55,7 @@ def packed_files(settings: Settings) -> dict[str, Path]:
 
 
 def packed(files: dict[str, Path]) -> bytes:
-    """Returns a compressed archive that depends on no date or user."""
+    """Returns a compressed archive without dates and users."""
     tar_data = io.BytesIO()
     with tarfile.open(fileobj=tar_data, mode="w") as tar:
         for name, path in sorted(files.items()):

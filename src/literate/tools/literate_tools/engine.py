@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the folder of the engine, which holds literate.sty: a paper looks for it there after the engine moved."""
+"""Prints the folder of the engine, with literate.sty. A paper calls this after the engine moved."""
 
 from literate_tools.common import ENGINE
 

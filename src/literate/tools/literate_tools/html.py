@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the typeset paper a web page, OUTPUT/NAME.html: one file that loads nothing.
+"""Converts the typeset paper into a web page, OUTPUT/NAME.html: one file that loads nothing else.
 
-LaTeXML reads the prose with page/literate.sty.ltxml in the place of literate.sty. The PDF's .aux file gives the numbers of
-sections, equations, tables, figures and references: if the page would show a different one, there is no page.
+LaTeXML reads the prose with page/literate.sty.ltxml in place of literate.sty. The PDF's .aux file gives the numbers of sections,
+equations, tables, figures and references. If the page would show a different number, the conversion fails.
 """
 
 import base64
@@ -20,17 +20,17 @@ from literate_tools.typeset import environment
 PAGE = ENGINE / "page"
 HELP = """usage: literate html [SETTINGS]
 
-Makes the paper a web page beside its PDF, which has to be up to date. Without SETTINGS there is one paper in build/.
+Converts the paper into a web page beside its PDF, which must be up to date. Without SETTINGS it takes the only paper in build/.
 
   literate html build/mypaper.json     writes build/mypaper/mypaper.html
 
-Exit codes: 0 done, 1 done but a check or claim failed, 2 the document cannot be a page, 3 a tool failed."""
+Exit codes: 0 done, 1 done, but a check or claim failed, 2 the document cannot be converted, 3 a tool failed."""
 
 FONT = "latinmodern-math"
 LARGEST_SVG = 1_000_000  # bytes; a larger drawing, such as a map of colours, becomes a PNG
-MAGNIFIED = 1.3  # the text of the page is so much larger than that of the PDF
+MAGNIFIED = 1.3  # ratio of the text sizes of page and PDF
 
-# Typesets each drawing on a page of its size, after the preamble of the document and in the text size of its floats.
+# Typesets each drawing on a page of its size, with the preamble of the document and the text size of its floats.
 DRAWINGS = (r"\nofiles\makeatletter\AddToHook{begindocument/end}{"
             r"\def\drawing#1{\setbox\z@\hbox{\@floatboxreset\fig{#1}}\pdfhorigin9bp\pdfvorigin9bp"
             r"\pdfpagewidth\dimexpr\wd\z@+18bp\relax\pdfpageheight\dimexpr\ht\z@+\dp\z@+18bp\relax"
@@ -39,7 +39,7 @@ DRAWINGS = (r"\nofiles\makeatletter\AddToHook{begindocument/end}{"
 
 
 def run(arguments: list[str]) -> int:
-    """Makes the page: literate html [SETTINGS]."""
+    """Writes the page: literate html [SETTINGS]."""
     if arguments and arguments[0] in ("-h", "--help"):
         print(HELP)
         return 0
@@ -51,7 +51,7 @@ def run(arguments: list[str]) -> int:
 
 
 def end(settings: Settings, made: Path) -> int:
-    """Prints what was made, and which checks and claims failed; returns the exit code."""
+    """Prints the file, and the failed checks and claims; returns the exit code."""
     print(os.path.relpath(made))
     failed = read_results(settings.generated / "results.json")["failed"]
     for line in failed:
@@ -60,7 +60,7 @@ def end(settings: Settings, made: Path) -> int:
 
 
 def make_page(settings: Settings) -> str:
-    """Returns the page of the state that the PDF has."""
+    """Returns the page for the current PDF."""
     recorded = settings.output / f"{settings.name}.manifest.json"
     if not recorded.exists() or recorded.read_text() != manifest(settings, settings.pdf):
         raise Failure(f"{os.path.relpath(settings.pdf)}: the PDF is not up to date; build the paper first")
@@ -75,13 +75,13 @@ def make_page(settings: Settings) -> str:
 
 
 def aux_text(file: Path) -> str:
-    """Returns the text of an .aux file and of those that it reads."""
+    """Returns the text of an .aux file and of the .aux files it includes."""
     text = file.read_text(errors="surrogateescape")
     return text + "".join(aux_text(file.parent / name) for name in re.findall(r"^\\@input\{(.+)\}", text, re.MULTILINE))
 
 
 def convert(settings: Settings, work: Path) -> str:
-    """Returns the document as HTML, which names its pictures and its style sheet."""
+    """Returns the document as HTML with links to pictures and style sheet."""
     paths = [f"--path={path}" for path in (PAGE, work, settings.output)]
     command = [tool("latexml"), "--quiet", *paths, f"--log={work / 'latexml.log'}", f"--destination={work / 'page.xml'}", settings.main]
     subprocess.run(command, cwd=settings.document, env=environment(settings), stdin=subprocess.DEVNULL, capture_output=True)
@@ -112,7 +112,7 @@ def errors_in(log: str, settings: Settings) -> list[str]:
 
 
 def tool_output(command: list, folder: Path, settings: Settings) -> str:
-    """Runs a tool and returns what it printed; if it fails, its first line that looks like an error is the message."""
+    """Runs a tool and returns its output. If it fails, the message is its first line that looks like an error."""
     ran = subprocess.run([str(word) for word in command], cwd=folder, env=environment(settings), stdin=subprocess.DEVNULL,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     if ran.returncode:
@@ -122,7 +122,7 @@ def tool_output(command: list, folder: Path, settings: Settings) -> str:
 
 
 def one_file(html: str, settings: Settings, work: Path) -> str:
-    """Puts style sheet, font and pictures into the page, and mends what LaTeXML's HTML lacks for readers without a mouse."""
+    """Embeds style sheet, font and pictures, and makes wide tables scroll by keyboard."""
     sources = list(dict.fromkeys(re.findall(r'<img src="([^"]+)"', html)))
     draw([Path(source).stem for source in sources if source.startswith("drawings/")], settings, work)
     html = re.sub(r'<img src="([^"]+)" data-options="([^"]*)"',
@@ -135,7 +135,7 @@ def one_file(html: str, settings: Settings, work: Path) -> str:
 
 
 def with_spaces(html: str) -> str:
-    """Mends spaces in formulas: at slashes and lone signs, and, where LaTeXML's grammar fails, at brackets, minus and powers."""
+    """Repairs spaces in formulas: at slashes and lone signs, and at brackets, minus and powers that LaTeXML could not parse."""
     html = re.sub(r"<math[^>]*><mo>([<>=≤≥])</mo></math>", r"\1", html)
     for form, brackets in (("prefix", r"[(\[]"), ("postfix", r"[)\]]")):
         html = re.sub(rf"<mo([^>]*>{brackets}</mo>)", rf'<mo form="{form}"\1', html)
@@ -146,7 +146,7 @@ def with_spaces(html: str) -> str:
 
 
 def with_levels(html: str) -> str:
-    """Makes no heading more than one level deeper than the one that it stands below."""
+    """Renumbers headings so that none is more than one level deeper than the heading above it."""
     above = []
 
     def replace(match: re.Match) -> str:
@@ -159,7 +159,7 @@ def with_levels(html: str) -> str:
 
 
 def style(work: Path, settings: Settings) -> str:
-    """Returns the style sheet with its font in it: without one for formulas, Greek letters may be empty boxes."""
+    """Returns the style sheet with an embedded font. Without a font for formulas, Greek letters may be empty boxes."""
     otf = subprocess.run([tool("kpsewhich", "texlive-binaries"), f"{FONT}.otf"], capture_output=True, text=True).stdout.strip()
     if not otf:
         raise Failure(f"{FONT}.otf is not installed (Debian package fonts-lmodern)", 3)
@@ -168,7 +168,7 @@ def style(work: Path, settings: Settings) -> str:
 
 
 def draw(names: list[str], settings: Settings, work: Path) -> None:
-    """Writes work/drawings/NAME.svg or .png for each figure of the program."""
+    """Writes work/drawings/NAME.svg or .png for each registered figure."""
     (work / "drawings").mkdir()
     if names:
         source = DRAWINGS % ("".join(rf"\drawing{{{name}}}" for name in names), settings.main)
@@ -179,7 +179,7 @@ def draw(names: list[str], settings: Settings, work: Path) -> None:
 
 
 def as_picture(pdf: Path, number: int, stem: Path, settings: Settings) -> Path:
-    """Writes one sheet of a PDF as STEM.svg, or as STEM.png if that is too large, and returns the file."""
+    """Writes one page of a PDF as STEM.svg, or as STEM.png if the SVG is too large, and returns the file."""
     svg, pages = Path(f"{stem}.svg"), ["-f", str(number), "-l", str(number)]
     program = tool("pdftocairo", "poppler-utils")
     tool_output([program, "-svg", *pages, pdf, svg], pdf.parent, settings)
@@ -191,7 +191,7 @@ def as_picture(pdf: Path, number: int, stem: Path, settings: Settings) -> Path:
 
 
 def picture(source: str, options: str, settings: Settings, work: Path) -> str:
-    """Returns the begin of an <img> with its data and its width, which is that of the PDF times MAGNIFIED."""
+    """Returns the start of an <img> with its data and its width, MAGNIFIED times that of the PDF."""
     file = work / source if source.startswith("drawings/") else settings.document / source
     if file.suffix == ".pdf":
         file = as_picture(file, 1, work / "drawings" / f"of {file.stem}", settings)
@@ -205,5 +205,5 @@ def picture(source: str, options: str, settings: Settings, work: Path) -> str:
 
 
 def data_uri(kind: str, file: Path) -> str:
-    """Returns a file as an address that holds the data itself."""
+    """Returns a data: URI with the content of a file."""
     return f"data:{kind};base64,{base64.b64encode(file.read_bytes()).decode()}"

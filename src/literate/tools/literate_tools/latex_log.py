@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads LaTeX's log: errors and warnings with the file and line where the author can mend them."""
+"""Reads errors and warnings from LaTeX's log, with the file and line where the author can fix them."""
 
 import os
 import re
@@ -17,22 +17,22 @@ PARTS = {"value": "values", "flag": "flags", "table": "tables", "figure": "figur
 
 @dataclass(frozen=True)
 class Error:
-    """An error of LaTeX: the file is absolute, or None where LaTeX names none."""
+    """An error of LaTeX. The file is absolute, or None if LaTeX gives none."""
 
     file: Path | None
     line: int
     message: str
-    is_of_former_run: bool  # in a file that LaTeX wrote itself
+    is_in_auxiliary_file: bool  # the file is in OUTPUT/latex
 
 
 def log_of(settings: Settings) -> str:
-    """Returns the log of the last run; nothing if LaTeX did not start."""
+    """Returns the log of the last run; empty if LaTeX did not start."""
     path = settings.latex / f"{settings.name}.log"
     return path.read_text(errors="replace") if path.exists() else ""
 
 
 def errors(settings: Settings) -> list[Error]:
-    """Returns the errors in the log, in order, each once."""
+    """Returns the distinct errors in the log, in order."""
     found = {}
     lines = log_of(settings).splitlines()
     for number, line in enumerate(lines):
@@ -41,7 +41,7 @@ def errors(settings: Settings) -> list[Error]:
         if not placed and not bare:
             continue
         message = (placed[3] if placed else bare[1]).removeprefix("Package literate Error: ").removesuffix(".")
-        if bare:  # of a missing file LaTeX gives the place when it stops
+        if bare:  # for a missing file LaTeX prints the place only when it stops
             placed = next(filter(None, (re.match(r"(.+?):(\d+): Emergency stop", later) for later in lines[number:])), None)
         file = Path(os.path.realpath(settings.document / placed[1])) if placed else None
         if file and not file.is_file():
@@ -55,7 +55,7 @@ def errors(settings: Settings) -> list[Error]:
 
 
 def report(settings: Settings, all_errors: list[Error]) -> list[str]:
-    """Returns the lines for an author. What follows an unknown name on its line is only a consequence."""
+    """Returns the messages for the author. Further errors on the line of an unknown name are consequences of it, and omitted."""
     unknown = {(error.file, error.line) for error in all_errors if error.message.startswith("unknown ")}
     kept = [error for error in all_errors
             if error.message.startswith("unknown ") or (error.file, error.line) not in unknown]
@@ -66,11 +66,11 @@ def report(settings: Settings, all_errors: list[Error]) -> list[str]:
     if not uses_package(settings) and any(error.message in commands for error in all_errors):
         lines = [f"{first_command(settings)}: \\usepackage{{literate}} is missing"]
     more = len(lines) - MOST_ERRORS
-    return lines[:MOST_ERRORS] + ([f"and {more} more errors, perhaps because of these"] if more > 0 else [])
+    return lines[:MOST_ERRORS] + ([f"and {more} more errors, which may follow from these"] if more > 0 else [])
 
 
 def place(settings: Settings, results: dict, error: Error) -> str:
-    """Returns where to mend an error: in the prose, or at the line of code that registered what is printed."""
+    """Returns where to fix an error: a line of the prose, or the line of code that registered the printed entry."""
     if error.file is None:
         return f"{settings.shown(settings.document / settings.main)}: "
     if not error.file.is_relative_to(settings.generated):
@@ -81,20 +81,21 @@ def place(settings: Settings, results: dict, error: Error) -> str:
     for script in settings.scripts:
         if error.file.parent.parent.name == "figures" and script.stem == name:
             return f"{settings.shown(script)}: figure '{name}': "
-    line = error.file.read_text().splitlines()[error.line - 1]
-    key = re.match(r"\\Literate(?:Value|Rounded|Entry)\{([^}]*)\}", line)
+    lines = error.file.read_text().splitlines()[:error.line]  # an entry begins above its criteria
+    keys = (re.match(r"\\Literate(?:Value|Rounded|Entry)\{([^}]*)\}", line) for line in reversed(lines))
+    key = next(filter(None, keys), None)
     found = key and (results["values"].get(key[1]) or results["claims"].get(key[1]))
     return f"{found['place']}: '{key[1]}': " if found else f"{settings.shown(error.file)}:{error.line}: "
 
 
 def suggestion(results: dict, message: str) -> str:
-    """Returns the nearest known name after «unknown value 'x'»."""
+    """Returns the nearest known name for a message «unknown value 'x'»."""
     found = re.fullmatch(r"unknown (\w+) '(.*)'", message)
     return nearest(found[2], list(results[PARTS[found[1]]])) if found and found[1] in PARTS else ""
 
 
 def uses_package(settings: Settings) -> bool:
-    """Returns whether the last run read literate.sty."""
+    """Returns True if the last run read literate.sty."""
     fls = settings.latex / f"{settings.name}.fls"
     return fls.exists() and "literate.sty" in fls.read_text(errors="replace")
 
@@ -109,7 +110,7 @@ def first_command(settings: Settings) -> str:
 
 
 def warnings(settings: Settings) -> list[str]:
-    """Returns what the last run warns of and readers would see: «??», labels used twice, missing characters, wide lines."""
+    """Returns the last run's warnings about visible defects: «??», repeated labels, missing characters, wide lines."""
     file, found, outer = settings.main, {}, []
     for line in log_of(settings).splitlines():
         if line.startswith("literate: reading "):
@@ -125,12 +126,19 @@ def warnings(settings: Settings) -> list[str]:
             found[f"{shown(settings, file)}: the font has no character {match[1]}"] = None
         elif match := re.match(r"Overfull \\hbox \(([\d.]+)pt too wide\).* lines? (\d+)", line):
             if float(match[1]) > 1:
-                found[f"{shown(settings, file)}:{match[2]}: a line is {match[1]}pt too wide"] = None
+                found[f"{place_of_line(settings, file, int(match[2]))}a line is {match[1]}pt too wide"] = None
     return list(found)
 
 
+def place_of_line(settings: Settings, file: str, line: int) -> str:
+    """Returns where to fix a line that LaTeX read. Generated lines are fixed in the code."""
+    if not file.startswith("generated/"):
+        return f"{shown(settings, file)}:{line}: "
+    return place(settings, read_results(settings.generated / "results.json"), Error(settings.output / file, line, "", False))
+
+
 def shown(settings: Settings, file: str) -> str:
-    """Returns a file that LaTeX read as its author knows it."""
+    """Returns the path of a file that LaTeX read, relative to the project."""
     path = settings.document / file
     if not path.is_file() and path.with_name(path.name + ".tex").is_file():
         path = path.with_name(path.name + ".tex")
@@ -138,6 +146,6 @@ def shown(settings: Settings, file: str) -> str:
 
 
 def bibtex_warnings(settings: Settings) -> list[str]:
-    """Returns the warnings of BibTeX, such as of an entry that is missing."""
+    """Returns the warnings of BibTeX, such as a missing entry."""
     text = (settings.latex / f"{settings.name}.blg").read_text(errors="replace")
     return [f"bibtex: {line.removeprefix('Warning--')}" for line in text.splitlines() if line.startswith("Warning--")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the verb and runs it. A verb's module is imported only when it is used: a build starts many."""
+"""Finds the verb and runs it. Only the verb's module is imported, since a build starts many verbs."""
 
 import importlib
 import sys
@@ -8,34 +8,34 @@ from literate_tools.common import Failure, nearest
 
 VERBS = {
     "new": "write a new paper that builds at once",
-    "check": "find typed numbers, unused names and altered quotations",
-    "changes": "list what changed since a commit or a different results.json",
-    "severity": "plant faults and record which claims or tests notice them",
+    "check": "find typed numbers, unused names and wrong quotations",
+    "changes": "list the changes since a commit or a different results.json",
+    "severity": "plant faults and record which claims or tests detect them",
     "verify": "build the paper again elsewhere and compare every byte",
-    "html": "make the paper a web page: one file that loads nothing",
-    "site": "make a folder for a web server: page, PDF and data",
-    "dist": "pack the sources of the document as arXiv and journals take them",
+    "html": "convert the paper into a web page: one file that loads nothing",
+    "site": "fill a folder for a web server: page, PDF and data",
+    "dist": "pack the sources of the document for arXiv or a journal",
     "case": "compute, draw and typeset one case into a folder",
-    "cases": "do so for several cases and put their results into one table",
+    "cases": "do this for several cases and put their results into one table",
 }
-# The rules of the build; Make and CMake calls them with the settings of a paper.
+# The rules of the build. Make and Ninja call them.
 RULES = {
     "build": "run Ninja and print what matters",
     "compute": "run the program or script",
     "draw": "run gnuplot for one figure",
     "repository": "record the commit for \\papercommit",
-    "typeset": "run LaTeX until nothing changes, then publish PDF and manifest",
-    "verdict": "end with 1 as long as a check or claim fails",
+    "typeset": "run LaTeX until nothing changes, then write PDF and manifest",
+    "verdict": "fail if a check or claim failed",
     "engine": "print the folder of the engine",
 }
 EXIT_CODES = "Exit codes: 0 done, 1 a check, claim or comparison failed, 2 bad input, 3 a tool failed."
 
 
 def usage() -> str:
-    """Returns what `literate --help` prints."""
+    """Returns the output of `literate --help`."""
     lines = ["usage: literate VERB [ARGUMENT …]; literate VERB --help shows its arguments and examples", ""]
     lines += [f"  {verb:<11} {what}" for verb, what in VERBS.items()]
-    lines += ["", "The build itself calls these:", ""]
+    lines += ["", "The build calls these:", ""]
     lines += [f"  {verb:<11} {what}" for verb, what in RULES.items()]
     return "\n".join([*lines, "", EXIT_CODES])
 
@@ -56,7 +56,7 @@ def main(arguments: list[str]) -> int:
         return failure.code
     except KeyboardInterrupt:
         return 130
-    except BrokenPipeError:  # the reader, such as `head`, has seen enough
+    except BrokenPipeError:  # the reader, such as `head`, stopped
         sys.stderr.close()
         return 0
     except OSError as error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The manifest of a PDF: what it was made of and with, each file with its SHA-256, and all results."""
+"""The manifest of a PDF: its sources and outputs with their SHA-256, the versions of the tools, and all results."""
 
 import json
 import re
@@ -14,7 +14,7 @@ SCHEMA = 1
 
 
 def manifest(settings: Settings, pdf: Path) -> str:
-    """Returns the text of NAME.manifest.json for a PDF that is not published yet."""
+    """Returns the text of NAME.manifest.json for a PDF that is not in its place yet."""
     outputs = {f"{settings.name}.pdf": sha256(pdf)}
     outputs |= {f"generated/{name}": sha256(settings.generated / name) for name in output_files(settings)}
     data = {"schema": SCHEMA, "name": settings.name, "commit": commit(settings), "case": settings.shown(settings.case),
@@ -24,15 +24,15 @@ def manifest(settings: Settings, pdf: Path) -> str:
 
 
 def output_files(settings: Settings) -> list[str]:
-    """Returns the names of what the program wrote, but for results.json, which the manifest contains."""
+    """Returns the names of the files that the program wrote, except results.json, which the manifest contains."""
     files = (path for path in settings.generated.rglob("*") if path.is_file() and not path.name.startswith("."))
-    drawings = {f"figures/{script.stem}/{script.stem}.pdf" for script in settings.scripts}  # these hold gnuplot's date
+    drawings = {f"figures/{script.stem}/{script.stem}.pdf" for script in settings.scripts}  # they contain a date
     names = {path.relative_to(settings.generated).as_posix() for path in files}
     return sorted(names - drawings - {"results.json"})
 
 
 def source_files(settings: Settings) -> list[Path]:
-    """Returns case, sources of the program, scripts of figures and prose, as far as they are the project's."""
+    """Returns the project's files among case, sources of the program, scripts of figures, and prose."""
     from literate_tools.typeset import recorded
     styles = {script.with_name("style.gp") for script in settings.scripts}
     files = {settings.case, *recorded(settings), *settings.scripts, *filter(Path.exists, styles)}
@@ -43,20 +43,20 @@ def source_files(settings: Settings) -> list[Path]:
 
 
 def versions(settings: Settings) -> dict[str, str]:
-    """Returns the versions of the tools: CMake recorded those of the compiler, and LaTeX's log has its own."""
+    """Returns the versions of the tools: from CMake, from LaTeX's log, and from gnuplot."""
     log = log_of(settings)
     tools = dict(settings.versions)
     for name, pattern in (("pdfTeX", r"This is pdfTeX, Version (\S+)"), ("LaTeX", r"LaTeX2e <([\d-]+)>")):
         found = re.search(pattern, log)
         tools[name] = found[1] if found else "unknown"
     if settings.scripts:
-        said = subprocess.run([tool("gnuplot", "gnuplot-nox"), "--version"], capture_output=True, text=True).stdout
-        tools["gnuplot"] = said.removeprefix("gnuplot ").strip()
+        printed = subprocess.run([tool("gnuplot", "gnuplot-nox"), "--version"], capture_output=True, text=True).stdout
+        tools["gnuplot"] = printed.removeprefix("gnuplot ").strip()
     return tools
 
 
 def commit(settings: Settings) -> str:
-    """Returns the commit as repository.tex has it."""
+    """Returns the commit in repository.tex."""
     repository = settings.generated / "repository.tex"
     found = re.match(r"\\LiterateRepository\{(.*?)\}", repository.read_text()) if repository.exists() else None
     return found[1] if found else "no commit"

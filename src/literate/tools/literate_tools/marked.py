@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes a PDF in which the changes of the prose are marked, by latexdiff, with the values of each state in its text."""
+"""Writes a PDF in which latexdiff marks the changes of the prose, including those of the printed values."""
 
 import io
 import os
@@ -16,14 +16,14 @@ from literate_tools.typeset import run_latex
 from literate_tools.uses import without_comments
 
 
-def write_marked_pdf(settings: Settings, since: str, former: Path) -> None:
-    """Writes NAME.changes.pdf; `former` is the folder with the results of that commit."""
+def write_marked_pdf(settings: Settings, since: str, earlier: Path) -> None:
+    """Writes NAME.changes.pdf; `earlier` is the folder with the results of that commit."""
     tool("latexdiff")
     folder = settings.output / "marked"
     shutil.rmtree(folder, ignore_errors=True)
     prose_of_commit(settings, since, folder / "old")
     shutil.copytree(settings.document, folder / "new", ignore=shutil.ignore_patterns(".git", "build"))
-    for state, generated in (("old", former), ("new", settings.generated)):
+    for state, generated in (("old", earlier), ("new", settings.generated)):
         expand_all(folder / state, generated)
     marked = subprocess.run(["latexdiff", "--type=CFONT", "--flatten", "--append-safecmd=LiteratePrinted", f"old/{settings.main}",
                              f"new/{settings.main}"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -31,14 +31,14 @@ def write_marked_pdf(settings: Settings, since: str, former: Path) -> None:
         raise Failure(f"latexdiff failed:\n{marked.stderr.decode(errors='replace')}", 3)
     (folder / "new" / "marked.tex").write_bytes(b"\\providecommand\\LiteratePrinted[1]{#1}%\n" + marked.stdout)
     os.symlink(settings.generated, folder / "generated")
-    # The clean document's settings, but for where it is.
+    # The settings of the paper with a different folder.
     pdf = run_latex(replace(settings, name=f"{settings.name}.changes", document=folder / "new", main="marked.tex", output=folder))
     os.replace(pdf, settings.output / pdf.name)
     print(settings.output / pdf.name)
 
 
 def prose_of_commit(settings: Settings, since: str, folder: Path) -> None:
-    """Writes the document's folder as it was at a commit."""
+    """Writes the document's folder of a commit."""
     root, below = git(settings.document, "rev-parse", "--show-toplevel"), git(settings.document, "rev-parse", "--show-prefix")
     archive = subprocess.run(["git", "archive", f"{since}:{below.rstrip('/')}"], cwd=root, capture_output=True)
     if archive.returncode:
@@ -48,7 +48,7 @@ def prose_of_commit(settings: Settings, since: str, folder: Path) -> None:
 
 
 def expand_all(document: Path, generated: Path) -> None:
-    """Replaces values and flags in all .tex files of a folder by what they print."""
+    """Replaces values and flags in all .tex files of a folder by their printed text."""
     values = printed_values((generated / "values.tex").read_text())
     flags = {name: flag["value"] for name, flag in read_results(generated / "results.json")["flags"].items()}
     for path in document.rglob("*.tex"):
@@ -56,7 +56,7 @@ def expand_all(document: Path, generated: Path) -> None:
 
 
 def printed_values(text: str) -> dict[str, str]:
-    """Returns what values.tex prints for «key» and «key[digits]»."""
+    """Returns the printed text of each «key» and «key[digits]» in values.tex."""
     values = {}
     for line in text.splitlines():
         command, *given = braced(line)
@@ -68,7 +68,7 @@ def printed_values(text: str) -> dict[str, str]:
 
 
 def expand(text: str, values: dict[str, str], flags: dict[str, bool]) -> str:
-    """Returns a text in which \\val prints its value and \\ifflag is the branch that is taken."""
+    """Returns a text with each \\val replaced by its value and each \\ifflag by the branch that is taken."""
     text = without_comments(text)
     while match := re.search(r"\\ifflag\s*\{([^{}]*)\}", text):
         _, yes, no, end = *braced(text[match.end():], 2), 0
@@ -84,7 +84,7 @@ def expand(text: str, values: dict[str, str], flags: dict[str, bool]) -> str:
 
 
 def braced(text: str, most: int = 9) -> list[str]:
-    """Returns what is before the first brace, and the arguments in braces that follow it."""
+    """Returns the text before the first brace, and the arguments in braces that follow."""
     at = text.find("{")
     parts = [text[:at].strip()]
     while 0 <= at < len(text) and text[at] == "{" and len(parts) <= most:
@@ -95,7 +95,7 @@ def braced(text: str, most: int = 9) -> list[str]:
 
 
 def closing(text: str, at: int) -> int:
-    """Returns the position behind the brace that closes the one at `at`."""
+    """Returns the position after the brace that closes the one at `at`."""
     depth = 0
     for match in re.compile(r"\\.|[{}]", re.S).finditer(text, at):
         depth += {"{": 1, "}": -1}.get(match[0], 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes repository.tex, from which \\papercommit and \\paperday come, whenever the commit is a different one."""
+"""Writes repository.tex, which defines \\papercommit and \\paperday, if the commit changed."""
 
 from literate_tools.common import git, write_if_changed
 from literate_tools.settings import Settings, read_settings
@@ -12,8 +12,8 @@ def run(arguments: list[str]) -> int:
 
 
 def record(settings: Settings) -> None:
-    """Writes generated/repository.tex if its text changes. The day is that of the commit where it was made."""
-    # Twelve digits: git's own choice depends on how many objects a clone happens to have.
+    """Writes generated/repository.tex if its text changes. The day is that of the commit, in the time zone of its committer."""
+    # Twelve digits: git's default depends on the number of objects in the clone.
     commit = git(settings.source, "describe", "--always", "--dirty= with changes", "--abbrev=12", "--exclude=*")
     day = git(settings.source, "log", "-1", "--format=%cd", "--date=format:%Y-%m-%d")
     text = f"\\LiterateRepository{{{commit}}}{{{day}}}\n" if commit and day else "\\LiterateRepository{no commit}{}\n"

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plants faults in a copy of the project, one at a time, and computes. A fault turns each claim whose verdict changes:
-severity.csv and severity.tex beside the prose record them, and \\claimledger prints them. A claim that no fault turns could
-not have failed. With --tests the tests run instead, and the faults that no test notices are listed.
+"""Plants faults in a copy of the project, one at a time, and computes. A fault turns a claim if it changes the verdict:
+severity.csv and severity.tex beside the prose record this, and \\claimledger prints it. A claim that no fault turns could not
+have failed. With --tests it runs the tests instead, and lists the faults that no test detects.
 
-The list of faults has one line for each: id | file | before | after | what is wrong [| test], where the text before is in the
-file exactly once. A run that was stopped goes on where it was.
+The list has one line for each fault: id | file | before | after | what is wrong [| test]. The text before must occur in the file
+exactly once. A run that was stopped continues where it was.
 
 examples:
   literate severity build/mypaper.json
@@ -41,26 +41,26 @@ class Fault:
 
 
 def run(arguments: list[str]) -> int:
-    """Plants the faults and records what notices them. Ends with 1 if a fault is unfit, or unnoticed by the tests."""
+    """Plants the faults and records their effect. Returns 1 if a fault does not compile, or if no test detects it."""
     arguments_of = parser("severity", __doc__)
     arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
     arguments_of.add_argument("--faults", type=Path, metavar="FILE", help="the list (the paper's FAULTS)")
-    arguments_of.add_argument("--only", metavar="ID", help="plant this fault alone, and record nothing")
+    arguments_of.add_argument("--only", metavar="ID", help="plant only this fault, and record nothing")
     arguments_of.add_argument("--timeout", type=float, default=1800, metavar="SECONDS", help="for one fault (1800)")
     arguments_of.add_argument("--build", default="true", metavar="COMMAND", help="builds the tests, in the copy")
-    arguments_of.add_argument("--tests", metavar="COMMAND", help="runs them; $TEST is the last field of the fault's line")
+    arguments_of.add_argument("--tests", metavar="COMMAND", help="runs them; $TEST is the last field of the line")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
     file = given.faults or settings.faults
     if not file:
-        raise Failure("literate_add_paper has no FAULTS: give --faults")
+        raise Failure("the paper has no FAULTS in literate_add_paper: give --faults")
     chosen = [fault for fault in read_faults(file) if given.only in (None, fault.id)]
     if not chosen:
         raise Failure(f"{settings.shown(file)}: there is no fault '{given.only}'" if given.only else f"{file}: it is empty")
     copy = settings.output / "severity" / "source"
     mirror(settings, copy)
     for fault in chosen:
-        planted(copy, fault)  # refuses an unfit line before anything is built
+        planted(copy, fault)  # fails for a wrong line before anything is built
     if given.tests:
         return against_tests(copy, chosen, given.build, given.tests, given.timeout)
     found = against_claims(settings, copy, chosen, given.timeout)
@@ -80,13 +80,13 @@ def read_faults(file: Path) -> list[Fault]:
             raise Failure(f"{file.name}:{number}: needs id | file | before | after | what is wrong")
         fault = Fault(*fields)
         if fault.id in faults:
-            raise Failure(f"{file.name}:{number}: fault '{fault.id}' is there twice")
+            raise Failure(f"{file.name}:{number}: fault '{fault.id}' occurs twice")
         faults[fault.id] = fault
     return list(faults.values())
 
 
 def mirror(settings: Settings, copy: Path) -> None:
-    """Makes a folder equal to the project's tracked and new files. What is equal keeps its time stamp."""
+    """Copies the project's tracked and new files, and removes all others. Equal files keep their time stamps."""
     listed = git(settings.source, "ls-files", "-z", "--cached", "--others", "--exclude-standard")
     names = set(filter(None, listed.split("\0"))) if listed is not None else {
         str(path.relative_to(settings.source)) for path in settings.source.rglob("*")
@@ -115,7 +115,7 @@ def planted(copy: Path, fault: Fault) -> str:
 
 
 def against_claims(settings: Settings, copy: Path, faults: list[Fault], timeout: float) -> dict[str, str]:
-    """Returns for each fault which claims it turns, or what else happens."""
+    """Returns, for each fault, the claims that it turns, or what else happens."""
     build, output = copy.parent / "build", copy.parent / "output"
     configure(settings, copy, build, output)
     results = f"{settings.name}-results"
@@ -136,7 +136,7 @@ def against_claims(settings: Settings, copy: Path, faults: list[Fault], timeout:
 
 
 def digest_of_sources(settings: Settings, copy: Path) -> str:
-    """Returns a digest of what the results depend on."""
+    """Returns a digest of the files on which the results depend."""
     digest = hashlib.sha256()
     for given in [settings.case, *settings.sources, settings.source / "CMakeLists.txt"]:
         if given.is_relative_to(settings.source):
@@ -158,24 +158,24 @@ def with_fault(copy: Path, fault: Fault, action) -> str:
 
 
 def run_limited(command: list[str], timeout: float, **options) -> tuple[int | None, str]:
-    """Returns the exit code of a command, None if it took too long, and what it printed."""
+    """Returns the exit code of a command (None if it took too long) and its output."""
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                           start_new_session=True, **options) as running:
         try:
             printed = running.communicate(timeout=timeout)[0]
             return running.returncode, printed
         except subprocess.TimeoutExpired:
-            os.killpg(running.pid, signal.SIGKILL)  # a fault may keep a loop from ending
+            os.killpg(running.pid, signal.SIGKILL)  # a fault may cause an endless loop
             return None, running.communicate()[0]
 
 
 def turned(settings: Settings, build: Path, output: Path, right: dict[str, str], timeout: float) -> str:
-    """Builds the results with a fault and names the claims and checks whose verdict changes."""
+    """Builds the results with a fault and returns the claims and checks whose verdict changes."""
     code, printed = run_limited(["ninja", "-C", str(build), f"{settings.name}-results"], timeout)
     if code is None:
         return "does not end"
     if code:
-        # The rule that computes is the only one that calls `literate compute`: any other that failed is a compiler's.
+        # If the failed rule did not call `literate compute`, it was the compiler's.
         failed = printed[printed.find("FAILED:"):].splitlines()
         return "stops the computation" if any(" compute " in line for line in failed[:2]) else "does not compile"
     now = verdicts(output)
@@ -208,7 +208,7 @@ def record(settings: Settings, faults: list[Fault], found: dict[str, str]) -> No
 
 
 def against_tests(copy: Path, faults: list[Fault], build: str, tests: str, timeout: float) -> int:
-    """Runs the tests with each fault and lists those that none noticed."""
+    """Runs the tests with each fault and lists the faults that none detects."""
     def outcome(fault: Fault | None) -> str:
         environment = os.environ | {"TEST": fault.test if fault else ""}
         for command, failure in ((build, "does not compile"), (tests, "noticed")):
@@ -220,7 +220,7 @@ def against_tests(copy: Path, faults: list[Fault], build: str, tests: str, timeo
     bad = 0
     for fault in faults:
         result = with_fault(copy, fault, lambda: outcome(fault))
-        if result == "not noticed" and fault.test:  # the other tests may
+        if result == "not noticed" and fault.test:  # a different test may detect it
             result = with_fault(copy, fault, lambda: outcome(Fault(fault.id, fault.file, fault.before, fault.after, fault.wrong)))
         bad += result != "noticed"
         print(f"{fault.id}: {result}" + (f" ({fault.wrong})" if result != "noticed" else ""), flush=True)

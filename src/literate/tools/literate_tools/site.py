@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes OUTPUT/site, a folder for any web server: the page, the PDF, the results and all data."""
+"""Fills OUTPUT/site, a folder for any web server: the page, the PDF, the results and all data."""
 
 import html
 import shutil
@@ -11,16 +11,16 @@ from literate_tools.settings import read_settings
 
 HELP = """usage: literate site [SETTINGS] [FILE …]
 
-Makes a folder for a web server, OUTPUT/site: index.html, the PDF, data/ with all CSV files and results.json, and the
-FILEs, to which the page links. The PDF has to be up to date.
+Fills a folder for a web server, OUTPUT/site: index.html, the PDF, data/ with all CSV files and results.json, and the
+FILEs, which the page links to. The PDF must be up to date.
 
   literate site build/mypaper.json CITATION.cff
 
-Exit codes: 0 done, 1 done but a check or claim failed, 2 the document cannot be a page, 3 a tool failed."""
+Exit codes: 0 done, 1 done, but a check or claim failed, 2 the document cannot be converted, 3 a tool failed."""
 
 
 def run(arguments: list[str]) -> int:
-    """Makes the folder: literate site [SETTINGS] [FILE …]."""
+    """Fills the folder: literate site [SETTINGS] [FILE …]."""
     if arguments and arguments[0] in ("-h", "--help"):
         print(HELP)
         return 0

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds numbers that are typed into prose or scripts, where computed ones belong.
+"""Finds numbers typed into prose or scripts, where computed ones belong.
 
-Typed are a number with a unit, whatever is between the two, and a number of more than two significant digits. Free are
-numbers in displayed formulas without a unit, years, and places in cited sources. A line that ends with
-`% constant: reason` keeps its numbers.
+A number counts as typed if it has a unit, whatever separates the two, or more than two significant digits. Exempt are numbers
+without a unit in displayed formulas, years, places in cited sources, and lines that end with `% constant: reason`.
 """
 
 import re
@@ -14,7 +13,7 @@ MOST_DIGITS = 2  # «of order 2», «40 elements»
 
 
 def either(words: str) -> str:
-    """Returns a pattern of any of these words, which are patterns themselves."""
+    """Returns a pattern that matches any of these patterns, which blanks separate."""
     return "|".join(words.split())
 
 
@@ -36,16 +35,16 @@ BLANK = r"(?:\s|~|\\[,;:!> ]|\\(?:thinspace|enspace|quad|nobreakspace|hspace\*?\
 BETWEEN = rf"(?:{BLANK}|[{{}}$-])*"
 UPRIGHT = rf"\\(?:{either('unit si mathrm textrm text mbox ensuremath operatorname')})\s*(?:\[[^\]]*\])?\s*\{{"
 IN_UPRIGHT = rf"{UPRIGHT}{BETWEEN}(?:{UNIT}|in\b)"
-# «in» is a unit where a blank that does not break is before it or a stop behind it.
+# «in» is a unit after a non-breaking blank or before a punctuation mark.
 UNIT_IN_TEXT = re.compile(
     rf"{BETWEEN}(?:{UNIT}|\\(?:unit|si)\b|\^\{{?\\circ|{IN_UPRIGHT})|(?:~|\\,)in\b|\s+in\s*[.,;)]"
     r"|/(?:s|min|h|d|cm|mm|km|kg|mol)(?![A-Za-z])")
-# In a formula letters are variables unless they are upright.
+# In a formula only upright letters are units.
 UNIT_IN_FORMULA = re.compile(
     rf"{BETWEEN}(?:\\%|\^\{{?\\circ|\\(?:unit|si|degree)\b|(?<!\d)\\(?:Omega|ohm)\b|''?|{IN_UPRIGHT})")
 QUANTITY = re.compile(r"\\(?:qty|SI|numrange|qtyrange|SIrange)\s*(?:\[[^\]]*\])?\{[^{}]*$")
 
-# Commands whose arguments are no prose, and how many they have if there is more than one.
+# Commands whose arguments are not prose, and the number of arguments if there are several.
 HIDDEN_NAMES = either(r"""
     label [cC]ref ref eqref pageref autoref nameref bibitem bibliography bibliographystyle input include includegraphics
     val rawval tab fig claim ifflag statement quoted verdict [hv]space hskip vskip kern setlength addtolength setcounter
@@ -64,7 +63,7 @@ VERBATIM = re.compile(
     rf"\\begin\{{({either('verbatim lstlisting Verbatim tikzpicture thebibliography')})\*?\}}.*?\\end\{{\1\*?\}}"
     r"|\\verb\*?(\W).*?\2", re.S)
 
-CITE = "\x03"  # what a citation leaves in the readable text
+CITE = "\x03"  # marks a citation in the readable text
 CITATION = re.compile(r"\\[a-z]*[cC]ite[a-z]*\*?\s*(?:\[[^\]]*\]\s*)*\{[^{}]*\}")
 MONTH = either("January February March April May June July August September October November December")
 PLACE = either(r"[Pp]ages? pp?\. [Cc]hap(?:ter|\.) [Ss]ec(?:tions?|s?\.) [Ee]q(?:uations?|s?\.) [Ff]ig(?:ures?|s?\.)"
@@ -73,7 +72,7 @@ PLACES = rf"(?:[\s~\d.,()–-]|[a-z]\)|and|or|of|in|{PLACE})*"
 
 
 def typed_numbers(text: str) -> list[tuple[int, str]]:
-    """Returns line and number of each typed number in the LaTeX of a document's body."""
+    """Returns the line and the text of each typed number in the body of a LaTeX document."""
     kept = {number for number, line in enumerate(text.splitlines(), 1) if re.search(r"%\s*constant:\s*\S", line)}
     prose = readable(text)
     formulas = [match.span() for match in re.finditer(r"(?<!\\)\$[^$]*\$|\\\(.*?\\\)", prose, re.S)]
@@ -91,12 +90,12 @@ def typed_numbers(text: str) -> list[tuple[int, str]]:
 
 
 def numerals(prose: str):
-    """Yields begin, end and text of each number, and whether it has more than two significant digits."""
+    """Yields the begin, end and text of each number, and whether it has more than MOST_DIGITS significant digits."""
     at = 0
     while match := NUMERAL.search(prose, at):
         at = match.end()
         before = prose[max(match.start() - 2, 0):match.start()]
-        if re.search(r"[A-Za-z0-9._@]$|[A-Za-z]-$", before):  # it continues a word or a number, as in MEAE-4960
+        if re.search(r"[A-Za-z0-9._@]$|[A-Za-z]-$", before):  # part of a word, as in MEAE-4960
             continue
         digits = re.sub(r"\D", "", match[1] + (match[2] or "")).lstrip("0")
         if not match[2]:
@@ -105,7 +104,7 @@ def numerals(prose: str):
 
 
 def unit_follows(prose: str, at: int, end: int, formula_end: int | None, in_display: bool) -> bool:
-    """Returns whether a number has a unit: behind it, behind its formula, or as the second argument of \\qty."""
+    """Returns True if a number has a unit: after it, after its formula, or as the second argument of \\qty."""
     if QUANTITY.search(prose[max(at - 80, 0):at]):
         return True
     if formula_end is None and not in_display:
@@ -118,12 +117,15 @@ def unit_follows(prose: str, at: int, end: int, formula_end: int | None, in_disp
 
 
 def is_reference(prose: str, at: int, end: int, number: str, has_unit: bool) -> bool:
-    """Returns whether a number is a year, in parentheses, behind a month or beside a citation, or a place in a source."""
+    """Returns True for a year (in parentheses, after a month or a word such as «in», beside a citation) and for a place in a
+    source."""
     before, after = prose[max(at - 160, 0):at], prose[end:end + 160]
     if re.fullmatch(r"(1[5-9]|20)\d\d", number):
         if before.endswith("(") and after.startswith(")"):
             return True
         if re.search(rf"(?:{MONTH})[\s~]*$", before) or re.match(rf"[\s~]*{CITE}", after):
+            return True
+        if not has_unit and re.search(r"\b(?:in|of|since|until|by|from|before|after)[\s~]+$", before, re.IGNORECASE):
             return True
     if has_unit:
         return False
@@ -133,7 +135,7 @@ def is_reference(prose: str, at: int, end: int, number: str, has_unit: bool) -> 
 
 
 def readable(text: str) -> str:
-    """Returns LaTeX with blanks in place of the preamble, comments and arguments that are no prose. Lines stay lines."""
+    """Returns LaTeX with blanks in place of the preamble, comments and arguments that are not prose. Line numbers stay."""
     text = VERBATIM.sub(blank, without_comments(text))
     if r"\begin{document}" in text:
         preamble, begin, body = text.partition(r"\begin{document}")
@@ -148,13 +150,13 @@ def readable(text: str) -> str:
 
 
 def end_of_arguments(text: str, command: re.Match) -> int:
-    """Returns where the arguments of a command in HIDDEN end, optional ones included."""
+    """Returns the end of a HIDDEN command's arguments, including optional ones."""
     end = command.end()
     n_arguments = 99 if command[1] == "begin" else N_ARGUMENTS.get(command[1], 1)
     for _ in range(n_arguments):
         while option := OPTION.match(text, end):
             end = option.end()
-        # Behind \begin{…} the width of a box or the columns of a table may follow at once.
+        # The width of a box or the columns of a table may follow \begin{…} directly.
         argument = ARGUMENT.match(text, end)
         if not argument or (command[1] == "begin" and text[end] != "{"):
             break
@@ -163,12 +165,12 @@ def end_of_arguments(text: str, command: re.Match) -> int:
 
 
 def blank(match: re.Match) -> str:
-    """Returns as many blanks as the match has characters; its lines stay."""
+    """Returns blanks for all characters of a match except line ends."""
     return re.sub(r"[^\n]", " ", match[0])
 
 
 def typed_in_script(text: str) -> list[tuple[int, str]]:
-    """Returns line and number of what is typed into a gnuplot script: in its texts, in what it plots, and as data."""
+    """Returns the line and the text of each number typed into a gnuplot script: in strings, in plot commands, and as data."""
     string = re.compile(r""""(?:[^"\\]|\\.)*"|'[^']*'""")
     found, is_plot, was_continued = [], False, False
     for number, line in enumerate(text.splitlines(), 1):

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs LaTeX until the files that it reads back no longer change, then publishes the PDF and its manifest.
+"""Runs LaTeX until its auxiliary files no longer change, then publishes the PDF and its manifest.
 
-LaTeX runs in the folder of the document, as an editor would run it. Its own files go to OUTPUT/latex, and the folder
-generated/ is found by TEXINPUTS, relative to the document: so no path of this machine reaches TeX, which cannot search
-one with a comma.
+LaTeX runs in the folder of the document, as in an editor. Its auxiliary files go to OUTPUT/latex. TEXINPUTS finds the folder
+generated/ relative to the document, since TeX cannot search an absolute path that contains a comma.
 """
 
 import hashlib
@@ -16,14 +15,14 @@ from literate_tools import latex_log
 from literate_tools.common import ENGINE, Failure, date_back, file_time, tool, warn, write_bytes
 from literate_tools.settings import Settings, read_settings
 
-MOST_RUNS = 8  # contents, references and an index settle in four
-UNBROKEN = {"max_print_line": "10000", "error_line": "254", "half_error_line": "238"}  # the lines of the log
-# What LaTeX or this module writes for people, and does not read back.
+MOST_RUNS = 8  # contents, references and an index need four
+UNBROKEN = {"max_print_line": "10000", "error_line": "254", "half_error_line": "238"}  # of the lines of the log
+# Files that LaTeX does not read back.
 NOT_READ = {".log", ".pdf", ".fls", ".uses", ".blg", ".ilg", ".gz"}
 
 
 def run(arguments: list[str]) -> int:
-    """Typesets the paper's own case: literate typeset SETTINGS STAMP DEPFILE."""
+    """Typesets the paper's main case: literate typeset SETTINGS STAMP DEPFILE."""
     settings, stamp, depfile = read_settings(arguments[0]), Path(arguments[1]), Path(arguments[2])
     start = file_time(settings.output)
     typeset(settings)
@@ -34,7 +33,7 @@ def run(arguments: list[str]) -> int:
 
 
 def typeset(settings: Settings) -> None:
-    """Writes OUTPUT/NAME.pdf and NAME.manifest.json, both complete or not at all."""
+    """Writes OUTPUT/NAME.pdf and NAME.manifest.json, each complete or not at all."""
     from literate_tools.manifest import manifest
     pdf = run_latex(settings)
     for line in latex_log.warnings(settings):
@@ -45,11 +44,11 @@ def typeset(settings: Settings) -> None:
 
 
 def run_latex(settings: Settings) -> Path:
-    """Runs LaTeX as often as needed and returns the PDF in OUTPUT/latex. Fails with LaTeX's errors at their places."""
+    """Runs LaTeX as often as needed and returns the PDF in OUTPUT/latex. Fails with LaTeX's errors and their places."""
     had_files = prepare(settings)
     errors = settle(settings)
-    if had_files and any(error.is_of_former_run for error in errors):
-        clear(settings)  # a former run left what this text, or an interrupted write, makes unreadable
+    if had_files and any(error.is_in_auxiliary_file for error in errors):
+        clear(settings)  # files of an earlier run that do not fit this text, or were cut off
         errors = settle(settings)
     if errors:
         raise Failure("\n".join(latex_log.report(settings, errors)), 3)
@@ -57,7 +56,7 @@ def run_latex(settings: Settings) -> Path:
 
 
 def settle(settings: Settings) -> list[latex_log.Error]:
-    """Runs LaTeX and BibTeX until what they read back is what they wrote."""
+    """Runs LaTeX and BibTeX until their auxiliary files stay the same."""
     before = read_back(settings)
     for _ in range(MOST_RUNS):
         errors = pdflatex(settings)
@@ -69,7 +68,7 @@ def settle(settings: Settings) -> list[latex_log.Error]:
             return []
         changed = sorted(name for name in before.keys() | after.keys() if before.get(name) != after.get(name))
         before = after
-    raise Failure(f"{settings.main}: still different after {MOST_RUNS} runs of LaTeX: {', '.join(changed)}", 3)
+    raise Failure(f"{settings.main}: LaTeX still changes these files after {MOST_RUNS} runs: {', '.join(changed)}", 3)
 
 
 def read_back(settings: Settings) -> dict[str, bytes]:
@@ -93,7 +92,7 @@ def pdflatex(settings: Settings) -> list[latex_log.Error]:
 
 
 def bibliography(settings: Settings) -> None:
-    """Runs BibTeX and MakeIndex if the document has a bibliography or an index. Both take little time."""
+    """Runs BibTeX and MakeIndex if the document has a bibliography or an index."""
     aux, index = settings.latex / f"{settings.name}.aux", settings.latex / f"{settings.name}.idx"
     if b"\\bibdata" in aux.read_bytes():
         run_tool(settings, "bibtex", "texlive-binaries", aux.stem)
@@ -104,7 +103,7 @@ def bibliography(settings: Settings) -> None:
 
 
 def run_tool(settings: Settings, name: str, package: str, *arguments: str) -> None:
-    """Runs a program beside LaTeX in OUTPUT/latex; it fails with what that printed."""
+    """Runs a program in OUTPUT/latex. Fails with its output."""
     beside = os.path.relpath(settings.document, settings.latex)
     ran = subprocess.run([tool(name, package), *arguments], cwd=settings.latex, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                          env=environment(settings) | {"BIBINPUTS": f".:{beside}:", "BSTINPUTS": f".:{beside}:"})
@@ -113,7 +112,7 @@ def run_tool(settings: Settings, name: str, package: str, *arguments: str) -> No
 
 
 def environment(settings: Settings) -> dict[str, str]:
-    """Returns an environment in which the PDF depends on no clock, locale or folder."""
+    """Returns an environment in which the PDF does not depend on clock, locale or folder."""
     day = "1970-01-01"
     repository = settings.generated / "repository.tex"
     if repository.exists():
@@ -128,18 +127,18 @@ def environment(settings: Settings) -> dict[str, str]:
 
 
 def prepare(settings: Settings) -> bool:
-    """Makes OUTPUT/latex with the folders of \\include, and returns whether a former run left files there."""
+    """Creates OUTPUT/latex with the folders for \\include, and returns True if an earlier run left files there."""
     if not (settings.document / settings.main).is_file():
         raise Failure(f"{settings.shown(settings.document / settings.main)}: there is no such file")
     bad = set(os.path.relpath(settings.output, settings.document)) & set(',;:{}$"~')
     if bad:
-        raise Failure(f"{settings.output}: TeX cannot search a path with '{bad.pop()}'; put it and the prose into one folder")
+        raise Failure(f"{settings.output}: TeX cannot search a path with '{bad.pop()}'; put this folder beside the prose")
     settings.latex.mkdir(parents=True, exist_ok=True)
     link = settings.output / "literate.sty"
     if not link.is_symlink() or os.readlink(link) != str(ENGINE / "literate.sty"):
         link.unlink(missing_ok=True)
         link.symlink_to(ENGINE / "literate.sty")
-    for drawing in settings.generated.glob("figures/*/*.tex"):  # of a script that is gone
+    for drawing in settings.generated.glob("figures/*/*.tex"):  # whose script was removed
         if drawing.stem not in {script.stem for script in settings.scripts}:
             drawing.unlink()
     had_files = any(settings.latex.iterdir())
@@ -151,14 +150,14 @@ def prepare(settings: Settings) -> bool:
 
 
 def clear(settings: Settings) -> None:
-    """Removes what former runs left."""
+    """Removes the files of earlier runs."""
     for path in settings.latex.rglob("*"):
         if path.is_file():
             path.unlink()
 
 
 def recorded(settings: Settings) -> list[Path]:
-    """Returns the files that LaTeX read in its last run, but for its own, as .fls lists them."""
+    """Returns the files that LaTeX read in its last run (from the .fls file), without its auxiliary files."""
     fls = (settings.latex / f"{settings.name}.fls").read_text(errors="surrogateescape")
     names = dict.fromkeys(line[6:] for line in fls.splitlines() if line.startswith("INPUT "))
     paths = dict.fromkeys(Path(os.path.realpath(settings.document / name)) for name in names)
@@ -166,8 +165,8 @@ def recorded(settings: Settings) -> list[Path]:
 
 
 def write_depfile(settings: Settings, stamp: Path, depfile: Path) -> None:
-    """Writes the files that LaTeX read, for Ninja: with relative paths where it takes them, since Ninja cannot read each sign
-    of a path. It knows the stamp by a relative path only within its folder."""
+    """Writes the files that LaTeX read, for Ninja. Paths are relative where Ninja accepts that, since it cannot read every
+    character; it knows the stamp by a relative path only inside its folder."""
     def escaped(path: Path, part: Path) -> str:
         is_relative = settings.depfile_base and path.is_relative_to(part)
         name = os.path.relpath(path, settings.depfile_base) if is_relative else str(path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the document used, as LaTeX wrote it, and what its text names."""
+"""Reads the names that the document used, which LaTeX recorded, and those in its text."""
 
 import os
 import re
@@ -9,7 +9,7 @@ from pathlib import Path
 from literate_tools.common import Failure
 from literate_tools.settings import Settings
 
-# The commands of literate.sty that name something, and the part of results.json that has it.
+# The commands of literate.sty that take a name, and the part of results.json with this name.
 NAMED = {"val": "values", "rawval": "values", "tab": "tables", "fig": "figures", "claim": "claims", "statement": "claims",
          "ifflag": "flags"}
 NAME = re.compile(rf"\\({'|'.join(NAMED)})\s*(?:\[[^\]]*\])?\s*\{{([^{{}}]*)\}}")
@@ -17,7 +17,7 @@ NAME = re.compile(rf"\\({'|'.join(NAMED)})\s*(?:\[[^\]]*\])?\s*\{{([^{{}}]*)\}}"
 
 @dataclass(frozen=True)
 class Use:
-    """One use of one name, with its place as authors know it."""
+    """One use of a name, with its place relative to the project."""
 
     kind: str
     name: str
@@ -25,7 +25,7 @@ class Use:
 
 
 def read_uses(settings: Settings) -> list[Use]:
-    """Returns the uses in NAME.uses, in the order of the document, each once."""
+    """Returns the distinct uses in NAME.uses, in the order of the document."""
     path = settings.latex / f"{settings.name}.uses"
     if not path.exists():
         raise Failure(f"{path}: there is no such file; build the paper first")
@@ -41,7 +41,7 @@ def read_uses(settings: Settings) -> list[Use]:
 
 
 def shown(settings: Settings, file: str) -> str:
-    """Returns a file that LaTeX read as its author knows it. The main file has no name."""
+    """Returns the path of a file that LaTeX read, relative to the project. The main file has no name here."""
     name = file.strip("/").removeprefix("./") or settings.main
     path = settings.document / name
     if not path.suffix:
@@ -50,8 +50,8 @@ def shown(settings: Settings, file: str) -> str:
 
 
 def document_texts(settings: Settings) -> dict[Path, str]:
-    """Returns the texts of the document without comments: those that LaTeX read, and those that they name in branches of
-    \\ifflag that are not taken."""
+    """Returns the texts of the document without comments: the files that LaTeX read, and those that they include in branches
+    of \\ifflag that are not taken."""
     from literate_tools.typeset import recorded
     files = [path for path in recorded(settings) if path.is_relative_to(settings.source) and path.suffix == ".tex"
              and not path.is_relative_to(settings.output)]
@@ -66,7 +66,7 @@ def document_texts(settings: Settings) -> dict[Path, str]:
 
 
 def without_comments(text: str) -> str:
-    """Returns LaTeX with blanks in place of its comments."""
+    """Returns LaTeX with blanks in place of comments."""
     return re.sub(r"(?<!\\)((?:\\\\)*)%.*", lambda match: match[1] + " " * (len(match[0]) - len(match[1])), text)
 
 

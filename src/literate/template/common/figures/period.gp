@@ -1,4 +1,4 @@
-# The period over that of small swings, against the greatest angle.
+# The period over that of small swings, as a function of the amplitude.
 set xlabel '$\theta$ in degrees'
 set ylabel '$T/T_0$'
 set key top left

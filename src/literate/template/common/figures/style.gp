@@ -1,5 +1,5 @@
-# What all figures share; gnuplot reads it before each script. The colours differ for readers who confuse red and green (after
-# M. Okabe and K. Ito, Color universal design, 2008), and the dashes differ in print without colours.
+# The common style, which gnuplot reads before each script. Readers who confuse red and green can tell the colours apart
+# (M. Okabe and K. Ito, Color universal design, 2008), and the dashes differ in black and white.
 set linetype 1 lc rgb '#000000' lw 2 dt solid pt 7
 set linetype 2 lc rgb '#d55e00' lw 2 dt (9,5) pt 5
 set linetype 3 lc rgb '#0072b2' lw 2 dt (2,3) pt 9

@@ -25,7 +25,7 @@ numerics::Estimate relative_period(double angle) {
   const int n = 64;
   const double coarse = trapezoidal(k, n / 2);
   const double fine = trapezoidal(k, n);
-  // Rounding: each of the n terms is right to a few ε, and so is their mean.
+  // Each of the n terms is accurate to a few ε, and so is their mean.
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * fine;
   return {fine, std::abs(fine - coarse) + rounding};
 }

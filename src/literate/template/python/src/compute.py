@@ -1,18 +1,17 @@
 """Registers everything that the paper prints."""
 
 import math
-import sys
 
 import literate
 from pendulum import relative_period, short_series
 
 
-def compute(document: literate.Document, case: dict) -> None:
+def compute(document: literate.Document, case: literate.Case) -> None:
     angle, length, gravity = (float(case.pop(key)) for key in ("angle", "length", "gravity"))
     if case:
-        sys.exit(f"the case has an unknown key: {', '.join(case)}")
+        raise literate.Error(f"the case has an unknown key: {', '.join(case)}")
     if not 0 < angle < 180:
-        sys.exit(f"angle = {angle}: must be between 0 and 180 degrees")
+        raise literate.Error(f"angle = {angle}: must be between 0 and 180 degrees")
     relative, error = relative_period(math.radians(angle))
     series = short_series(math.radians(angle))
     small = 2 * math.pi * math.sqrt(length / gravity)

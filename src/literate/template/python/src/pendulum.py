@@ -1,4 +1,4 @@
-"""The period of a pendulum that swings to a wide angle, in radians below π, over that of small swings."""
+"""The period of a pendulum over that of small swings, for amplitudes in radians below π."""
 
 import math
 import sys
@@ -8,7 +8,7 @@ def relative_period(angle: float, n: int = 64) -> tuple[float, float]:
     """Returns T/T₀ = (2/π) ∫₀^{π/2} dφ/√(1 − sin²(angle/2) sin²φ) and a bound of its error.
 
     The integrand is periodic and smooth, so the trapezoidal rule converges faster than any power of its step. The bound is
-    the difference from half as many points, and rounding.
+    the difference from half as many points plus rounding.
     """
     k = math.sin(angle / 2)
 

@@ -1,4 +1,4 @@
-# What the program says about figure period; its script follows.
+# Data of the figure period, which gnuplot reads before its script.
 set encoding utf8
 set decimalsign '.'
 set datafile separator comma
