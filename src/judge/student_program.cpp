@@ -20,10 +20,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double patience_seconds = 10;        // for a question that takes milliseconds
-constexpr double little_patience_seconds = 2;  // once the allowance is used up
+constexpr double patience_seconds = 10;       // an honest answer takes milliseconds
+constexpr double short_patience_seconds = 2;  // after the allowance is used up
 constexpr std::size_t max_answer_bytes = 1 << 20;
-const char* const unasked = "the program answers what it was not asked";
+const char* const unasked = "the program wrote an answer without a question";
 const char* const too_slow = "the program did not answer in time";
 const char* const out_of_time = "the program used up its processor time";
 
@@ -31,7 +31,7 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// "TASK number number …" with all digits.
+// Returns the line "TASK number number …", with all digits.
 std::string question_of(const std::string& task, const Numbers& inputs) {
   std::string line = task;
   for (const double input : inputs) {
@@ -61,7 +61,7 @@ Numbers numbers_of_line(const std::string& line) {
     double number = 0;
     const auto [next, error] = std::from_chars(at, end, number);
     if (error != std::errc() || (next != end && *next != ' ')) {
-      throw NoAnswer("the program's answer contains something that is not a decimal number");
+      throw NoAnswer("the program's answer contains text that is not a decimal number");
     }
     numbers.push_back(number);
     at = next;
@@ -100,8 +100,7 @@ StudentProgram::Answer StudentProgram::ask(const std::string& question) {
     }
     ::send(channel_, question.data(), question.size(), MSG_NOSIGNAL);
     const std::string line = read_line();
-    if (line.empty())
-      return {{}, "the program has no answer"};  // it goes on with the next question
+    if (line.empty()) return {{}, "the program has no answer"};  // but it can answer the next one
     Answer answer{numbers_of_line(line), ""};
     ++n_answers_;
     return answer;
@@ -112,9 +111,9 @@ StudentProgram::Answer StudentProgram::ask(const std::string& question) {
   }
 }
 
-// One line of the program's answers, without its end. Throws NoAnswer if there is none, or more.
+// Reads one line of output, without the line end. Throws NoAnswer for no line or several.
 std::string StudentProgram::read_line() {
-  const double patience = has_allowance() ? patience_seconds : little_patience_seconds;
+  const double patience = has_allowance() ? patience_seconds : short_patience_seconds;
   const Clock::time_point begin = Clock::now();
   std::string text;
   while (text.find('\n') == text.npos) {
@@ -133,14 +132,14 @@ std::string StudentProgram::read_line() {
   return text.substr(0, end);
 }
 
-// What students are told of a program that closed its channel.
+// Returns the message for the student after the program has closed its channel.
 std::string StudentProgram::how_it_ended() const {
   siginfo_t end{};
   for (int tries = 0; tries < 1000 && end.si_pid == 0; ++tries) {
     ::usleep(1000);
     ::waitid(P_PID, static_cast<id_t>(process_), &end, WEXITED | WNOHANG | WNOWAIT);
   }
-  // A shell or a sandbox passes on a signal as 128 more than its number.
+  // A shell or a sandbox reports a signal as exit code 128 + signal.
   const int signal = end.si_code == CLD_EXITED ? end.si_status - 128 : end.si_status;
   if (signal == SIGXCPU) return out_of_time;
   const char* name = signal > 0 ? ::sigabbrev_np(signal) : nullptr;
@@ -150,7 +149,7 @@ std::string StudentProgram::how_it_ended() const {
 
 void StudentProgram::start() {
   if (n_starts_left_ <= 0)
-    throw NoAnswer("the program had failed before and was not started again");
+    throw NoAnswer("the program failed too often before and was not started again");
   --n_starts_left_;
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {

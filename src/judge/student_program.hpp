@@ -12,25 +12,26 @@
 
 namespace judge {
 
-/// The student's program as a separate process, which is asked by lines and answers by lines.
-/// Nothing else that it prints, writes or exits with counts.
+/// The student's program in a separate process. Questions and answers are lines of text. Nothing
+/// else that the program prints or writes has an effect, nor has its exit code.
 ///
-/// A question has no answer if the program answers with anything but numbers, crashes or hangs. The
-/// program is then started again, twice at most. The command that starts it is meant to limit its
-/// processor time; the clock here is a far backstop, so that a busy machine costs nobody an answer.
+/// A question gets no answer if the program crashes, hangs or writes anything but numbers. The
+/// program is then restarted, at most twice. The command that starts it should limit its processor
+/// time. The limits of wall-clock time here are much longer, so that a busy machine costs no
+/// points.
 class StudentProgram {
  public:
-  /// `allowance` is how many seconds may be lost in questions without an answer: beyond that a
-  /// question has less time, and a task that took too long is not asked for again.
+  /// `allowance` is the total time in seconds for questions that get no answer. Once it is used up,
+  /// each question has less time, and tasks that took too long are not asked again.
   StudentProgram(std::vector<std::string> command, double allowance);
   StudentProgram(const StudentProgram&) = delete;
   StudentProgram& operator=(const StudentProgram&) = delete;
   ~StudentProgram();
 
-  /// The answer to a question, which is asked once only. Throws NoAnswer.
+  /// Returns the answer to a question; asks a repeated question only once. Throws NoAnswer.
   Numbers answer(const std::string& task, const Numbers& inputs);
 
-  double lost_seconds() const { return lost_seconds_; }  ///< in questions without an answer
+  double lost_seconds() const { return lost_seconds_; }  ///< on questions without an answer
   int n_answers() const { return n_answers_; }
 
  private:
@@ -56,8 +57,8 @@ class StudentProgram {
   std::set<std::string> slow_tasks_;
 };
 
-/// The numbers of a line of decimal numbers with blanks between them; "nan" and "inf" are numbers.
-/// Throws NoAnswer for anything else, and if there is none.
+/// Reads a line of decimal numbers separated by blanks; "nan" and "inf" are numbers. Throws
+/// NoAnswer for anything else and for an empty line.
 Numbers numbers_of_line(const std::string& line);
 
 }  // namespace judge
