@@ -144,7 +144,8 @@ class Grade(unittest.TestCase):
         running = lambda: [path for path in Path("/proc").glob("[0-9]*/comm") if path.exists() and path.read_text() == "waiting\n"]
         command = [sys.executable, "-B", COURSE / "course.py", "grade", self.work.submissions, "--assignment", self.work.folder / "toy", "--build",
                    self.work.folder / "build", "--judge", self.work.judge, "--salt-file", self.work.private / "salt.txt", "--output", self.work.output]
-        process = subprocess.Popen([*command, *SANDBOX], stderr=subprocess.PIPE, text=True)
+        # A shell starts background jobs with SIGINT ignored.
+        process = subprocess.Popen(["env", "--default-signal=INT", *command, *SANDBOX], stderr=subprocess.PIPE, text=True)
         while not running():
             self.assertIsNone(process.poll())
             time.sleep(0.05)
