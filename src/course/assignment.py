@@ -39,7 +39,7 @@ class Exercise:
 class Limits:
     compile_seconds: int  # of processor time, for one file
     run_seconds: int  # of processor time, for all questions of an exercise
-    submission_seconds: int  # total time for compiling and for questions that get no answer
+    submission_seconds: int  # by the clock, for compiling and for all questions
     memory_mb: int  # of one process
     processes: int
     file_kb: int  # size of one submitted file

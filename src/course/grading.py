@@ -51,17 +51,17 @@ class Judge:
         return done.stdout
 
     def ask(self, exercise, visibility, student, allowance, command):
-        """Returns {check id: (share, message)}, the seconds lost on questions without an answer, and the number of answers."""
+        """Returns {check id: (share, message)}, the seconds that the answers took, and their number."""
         salt = ["--salt-file", str(self.salt_file)] if self.salt_file else []
         rows = self.call("--exercise", exercise.id, f"--{visibility}", "--student", student, *salt,
                          "--allowance", f"{allowance:.3f}", "--", *command).splitlines()
-        _, lost, answers = rows.pop().split("\t")
+        _, seconds, answers = rows.pop().split("\t")
         outcomes = {id: (float(share), message) for id, share, message in (row.split("\t") for row in rows)}
         listed = {check.id for check in exercise.check if check.visibility == visibility}
         for id in sorted(listed ^ outcomes.keys()):
             problem = "has no code" if id in listed else "is not listed in assignment.toml"
             raise BadInput(f"the {visibility} check '{id}' of exercise '{exercise.id}' {problem}")
-        return outcomes, float(lost), int(answers)
+        return outcomes, float(seconds), int(answers)
 
 
 class Grader:
@@ -83,9 +83,9 @@ class Grader:
             else:
                 outcomes = {}
                 for visibility in ("public", "hidden"):
-                    asked, lost, _ = self.asked(exercise, visibility, student, allowance, built.programs[exercise.id])
+                    asked, seconds, _ = self.asked(exercise, visibility, student, allowance, built.programs[exercise.id])
                     outcomes |= asked
-                    allowance -= lost
+                    allowance -= seconds
             graded.results += capped(exercise, outcomes)
         return graded
 

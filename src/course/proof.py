@@ -67,6 +67,7 @@ class Proof:
     def __init__(self, assignment, folder, project, judge, sandbox_class, work, jobs, progress):
         self.assignment, self.folder, self.project, self.judge = assignment, Path(folder), project, judge
         self.jobs, self.progress = jobs, progress
+        self.wrong_solutions_file = self.folder / "wrong_solutions.toml"
         self.handout = {name: file.handout for name, file in project.items()}
         self.files = [exercise.file for exercise in assignment.exercise]
         self.store = work / "store"
@@ -97,6 +98,8 @@ class Proof:
 
     def prove(self, secrets, sheet_text, update):
         """Proves the five claims in order. Raises Disproved for the first one that does not hold."""
+        solution = {name: self.project[name].solution.encode() for name in self.files}
+        wrong_solutions = read_wrong_solutions(self.wrong_solutions_file, solution)
         key = self.store / f"{hash_of('builds', self.kit.key, *self.handout.items())}.held"
         self.used.add(key.name)
         if not key.exists():
@@ -109,13 +112,12 @@ class Proof:
             raise Disproved(f"the untouched handout scores {blank.points:g} points, not 0 {first_error(blank)}")
         print("2. the untouched handout scores 0", flush=True)
 
-        solution = {name: self.project[name].solution.encode() for name in self.files}
         self.solution_scores_all(solution)
         print(f"3. the solution scores all {self.assignment.points:g} points, with the nominal numbers and with those of "
               f"{len(IDS)} ids", flush=True)
 
-        n_wrong = self.wrong_solutions_score_as_listed(solution, update)
-        print(f"4. each of {n_wrong} wrong solutions scores its listed points", flush=True)
+        self.wrong_solutions_score_as_listed(wrong_solutions, update)
+        print(f"4. each of {len(wrong_solutions)} wrong solutions scores its listed points", flush=True)
 
         found = leaks({**self.handout, "sheet.pdf": sheet_text}, secrets)
         if found:
@@ -149,9 +151,8 @@ class Proof:
                     raise Disproved(f"with the numbers of '{student}' the solution scores {graded.points:g} points "
                                     f"{first_error(graded)}\n" + "\n".join(lost))
 
-    def wrong_solutions_score_as_listed(self, solution, update):
-        file = self.folder / "wrong_solutions.toml"
-        listed = read_wrong_solutions(file, solution)
+    def wrong_solutions_score_as_listed(self, listed, update):
+        file = self.wrong_solutions_file
         nominal = Judge(self.judge.program)  # without the salt, so that the listed points are the same for every salt
         points = {}
         with ThreadPoolExecutor(self.jobs) as pool:
@@ -163,12 +164,11 @@ class Proof:
                 points[wrong.id] = graded.points
         if update:
             file.write_text(with_points(file.read_text(encoding="utf-8"), points), encoding="utf-8")
-            return len(listed)
+            return
         differ = [f"'{wrong.id}' scores {points[wrong.id]:g} points instead of the listed {wrong.points:g}"
                   for wrong, _ in listed if points[wrong.id] != wrong.points]
         if differ:
             raise Disproved(f"{file}: " + "; ".join(differ) + ". If these points are correct, \"prove --update\" writes them")
-        return len(listed)
 
 
 def first_error(graded):

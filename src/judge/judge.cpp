@@ -87,7 +87,7 @@ void run_exercise(const std::vector<Exercise>& exercises, const Options& options
       std::printf("%s\t%.17g\t%s\n", check.id.c_str(), share, message.c_str());
     }
   }
-  std::printf("lost\t%.3f\t%d\n", program.lost_seconds(), program.n_answers());
+  std::printf("used\t%.3f\t%d\n", program.used_seconds(), program.n_answers());
 }
 
 }  // namespace

@@ -25,13 +25,13 @@ struct Assignment {
 ///   --check ID -- PROGRAM…             runs one public check and prints what does not hold
 ///   --exercise ID --public -- PROGRAM… runs the public checks of an exercise (or --hidden). Prints
 ///                                      a line "ID share message" per check, separated by tabs, and
-///                                      then "lost SECONDS ANSWERS": the time spent on questions
-///                                      without an answer, and the number of answers
+///                                      then "used SECONDS ANSWERS": the time that the program took
+///                                      for its answers, and their number
 ///   --numbers                          prints the student's numbers
 ///
-/// Options are --student ID, --salt-file FILE, and --allowance SECONDS, the time limit for
-/// questions without an answer. PROGRAM is the command that starts the student's program. Exit
-/// codes: 0 success, 1 the check does not hold, 3 the judge failed.
+/// Options are --student ID, --salt-file FILE, and --allowance SECONDS, the time limit for all
+/// questions. PROGRAM is the command that starts the student's program. Exit codes: 0 success, 1
+/// the check does not hold, 3 the judge failed.
 int run(int argc, char** argv, const Assignment& assignment);
 
 }  // namespace judge

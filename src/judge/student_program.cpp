@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -20,8 +21,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double patience_seconds = 10;       // an honest answer takes milliseconds
-constexpr double short_patience_seconds = 2;  // after the allowance is used up
+// Seconds for a question, which an honest program answers within milliseconds.
+constexpr double patience = 10;
+constexpr double patience_without_allowance = 1.5;
+// Seconds for all questions after the allowance is used up.
+constexpr double grace = 3;
 constexpr std::size_t max_answer_bytes = 1 << 20;
 const char* const unasked = "the program wrote an answer without a question";
 const char* const too_slow = "the program did not answer in time";
@@ -81,8 +85,11 @@ Numbers StudentProgram::answer(const std::string& task, const Numbers& inputs) {
   const std::string question = question_of(task, inputs);
   auto known = known_.find(question);
   if (known == known_.end()) {
-    if (slow_tasks_.count(task) == 1 && !has_allowance()) throw NoAnswer(too_slow);
+    const bool is_slow = slow_tasks_.count(task) == 1 && !has_allowance();
+    if (is_slow || seconds_for_a_question() <= 0) throw NoAnswer(too_slow);
+    const Clock::time_point begin = Clock::now();
     known = known_.emplace(question, ask(question)).first;
+    used_seconds_ += seconds_since(begin);
   }
   const std::string& failure = known->second.failure;
   if (failure == too_slow || failure == out_of_time) slow_tasks_.insert(task);
@@ -90,8 +97,12 @@ Numbers StudentProgram::answer(const std::string& task, const Numbers& inputs) {
   return known->second.numbers;
 }
 
+double StudentProgram::seconds_for_a_question() const {
+  const double left = std::max(allowance_, 0.0) + grace - used_seconds_;
+  return std::min(left, has_allowance() ? patience : patience_without_allowance);
+}
+
 StudentProgram::Answer StudentProgram::ask(const std::string& question) {
-  const Clock::time_point begin = Clock::now();
   try {
     if (process_ < 0) start();
     if (has_something_to_read(channel_, 0)) {
@@ -106,18 +117,17 @@ StudentProgram::Answer StudentProgram::ask(const std::string& question) {
     return answer;
   } catch (const NoAnswer& e) {
     stop();
-    lost_seconds_ += seconds_since(begin);
     return {{}, e.what()};
   }
 }
 
 // Reads one line of output, without the line end. Throws NoAnswer for no line or several.
 std::string StudentProgram::read_line() {
-  const double patience = has_allowance() ? patience_seconds : short_patience_seconds;
+  const double seconds = seconds_for_a_question();
   const Clock::time_point begin = Clock::now();
   std::string text;
   while (text.find('\n') == text.npos) {
-    const double left = patience - seconds_since(begin);
+    const double left = seconds - seconds_since(begin);
     if (left <= 0 || !has_something_to_read(channel_, left)) {
       throw NoAnswer(too_slow);
     }

@@ -21,8 +21,9 @@ namespace judge {
 /// points.
 class StudentProgram {
  public:
-  /// `allowance` is the total time in seconds for questions that get no answer. Once it is used up,
-  /// each question has less time, and tasks that took too long are not asked again.
+  /// `allowance` is the time limit in seconds for all questions. After it is used up, a question
+  /// has less time, tasks that took too long are not asked again, and soon no question is asked at
+  /// all.
   StudentProgram(std::vector<std::string> command, double allowance);
   StudentProgram(const StudentProgram&) = delete;
   StudentProgram& operator=(const StudentProgram&) = delete;
@@ -31,7 +32,7 @@ class StudentProgram {
   /// Returns the answer to a question; asks a repeated question only once. Throws NoAnswer.
   Numbers answer(const std::string& task, const Numbers& inputs);
 
-  double lost_seconds() const { return lost_seconds_; }  ///< on questions without an answer
+  double used_seconds() const { return used_seconds_; }  ///< from questions to answers
   int n_answers() const { return n_answers_; }
 
  private:
@@ -40,7 +41,8 @@ class StudentProgram {
     std::string failure;  ///< empty if there is an answer
   };
   Answer ask(const std::string& question);
-  bool has_allowance() const { return lost_seconds_ < allowance_; }
+  bool has_allowance() const { return used_seconds_ < allowance_; }
+  double seconds_for_a_question() const;
   std::string read_line();
   std::string how_it_ended() const;
   void start();
@@ -48,7 +50,7 @@ class StudentProgram {
 
   std::vector<std::string> command_;
   double allowance_;
-  double lost_seconds_ = 0;
+  double used_seconds_ = 0;
   int n_answers_ = 0;
   int n_starts_left_ = 3;
   pid_t process_ = -1;

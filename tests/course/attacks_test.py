@@ -16,7 +16,7 @@ from toy_course import ARGUMENTS, SOLUTION, Work, require_bubblewrap, skip
 
 JUDGE, MODE = ARGUMENTS
 ORDINARY = 61000
-SLOW = {"hangs_at_start", "hangs_at_one_place", "never_ends", "sleeps", "forks", "compiles_without_end", "takes_memory", "fills_the_disk"}
+SLOW = {"answers_late", "hangs_at_start", "hangs_at_one_place", "never_ends", "sleeps", "forks", "compiles_without_end", "takes_memory", "fills_the_disk"}
 FIXTURES = {path.stem: path.read_text(encoding="utf-8") for path in sorted(Path(__file__).with_name("attacks").glob("*.cpp"))}
 if MODE == "quick":
     FIXTURES = {name: text for name, text in FIXTURES.items() if name not in SLOW}

@@ -38,7 +38,7 @@ class Judge(unittest.TestCase):
 
     def test_it_reports_how_many_questions_were_answered(self):
         _, printed = judge("--exercise", "sum", "--public", "--student", "ada", program=RIGHT)
-        self.assertEqual(printed.splitlines()[-1].split("\t")[::2], ["lost", "2"])
+        self.assertEqual(printed.splitlines()[-1].split("\t")[::2], ["used", "2"])
 
     def test_it_prints_the_numbers_of_a_student(self):
         self.assertEqual(judge("--numbers", "--student", "ada"), (0, "young1 3 Pa"))

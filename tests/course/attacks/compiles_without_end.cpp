@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: a template that the compiler never finishes
+// 0 10 6: a template that never finishes compiling
 #include "assignment.hpp"
 template <int N, int M>
 struct Bomb {

@@ -64,8 +64,7 @@ Estimate normal_gradient_by_quadrature(const Material& material, const Load& loa
   Singular singular{load, x, load.pressure(x)};
   Estimate integral = integrate(singular, 1e-10 * load.unit_pressure);
   integral.value += singular_part(load, x);
-  integral.abs_error +=
-      1e-13 * load.unit_pressure;  // rounding errors, which GSL's estimate ignores
+  integral.abs_error += 1e-13 * load.unit_pressure;  // rounding, which GSL's estimate ignores
 
   const double nu = material.poisson;
   const double compliance = 2 * (1 - nu * nu) / (std::numbers::pi * material.young);

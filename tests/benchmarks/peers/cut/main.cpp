@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The displacement under a triangular load, by quadrature and in closed form: two figures, a table,
-// four numbers. The same in R stands in ../knitr.
+// four numbers. ../knitr contains the same in R.
 #include <algorithm>
 #include <cmath>
 #include <vector>
