@@ -63,8 +63,8 @@ BOOST_AUTO_TEST_CASE(an_impossible_conversion_is_an_error) {
   };
   BOOST_TEST(refused("inches of something", "m") == "unknown unit \"inches of something\"");
   BOOST_TEST(refused("N", "m") == "\"N\" cannot be converted into \"m\"");
-  BOOST_TEST(holds(refused("degC", "K"), "\"degC\" is no multiple of \"K\""));
-  BOOST_TEST(holds(refused("Hz", "s"), "\"Hz\" is no multiple of \"s\""));
+  BOOST_TEST(holds(refused("degC", "K"), "\"degC\" is not a multiple of \"K\""));
+  BOOST_TEST(holds(refused("Hz", "s"), "\"Hz\" is not a multiple of \"s\""));
   BOOST_TEST(holds(message_of<UnitError>([] { config::unit_system("cgs"); }),
                    "unknown unit system \"cgs\": must be one of in-lbf, mm-N, m-N"));
   BOOST_TEST(config::is_unit("W/(m2.K)"));
