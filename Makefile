@@ -44,7 +44,7 @@ check: report ## checks its prose: typed numbers, unused names, quotations
 	@$(literate) check build/report.json $${PAPER:+--paper "$$PAPER"}
 changes: report ## lists what changed since SINCE, and where it is printed
 	@$(literate) changes build/report.json "$${SINCE:-HEAD}"
-severity: ## records which claims detect planted faults: report/severity.csv
+severity: ## plants faults to test the claims, report/severity.csv
 	@$(configure); $(ninja) report-program && $(literate) severity build/report.json $${ONLY:+--only "$$ONLY"}
 verify: report ## builds the report elsewhere and compares all bytes
 	@$(literate) verify build/report.json $${MANIFEST:+--manifest "$$MANIFEST"}
