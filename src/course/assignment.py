@@ -12,7 +12,7 @@ class Check:
     id: str
     points: float
     visibility: str  # "public": students have its code; "hidden": students see only its points
-    says: str  # what it tests, for students
+    description: str  # what it tests, for students
 
     @property
     def is_public(self):
@@ -68,7 +68,7 @@ class Assignment:
         return behind
 
 
-def made(kind, table, where):
+def dataclass_from(kind, table, where):
     """Makes a dataclass from a table that has exactly its fields as keys."""
     names = {field.name for field in dataclasses.fields(kind)}
     for key in table.keys() - names:
@@ -82,14 +82,14 @@ def from_table(table, where):
     """Makes an Assignment from a table read from TOML or JSON. Raises BadInput for wrong keys or points that do not add up."""
     exercises = []
     for entry in table.get("exercise", []):
-        checks = [made(Check, check, f"{where}: check '{check.get('id', '?')}'") for check in entry.get("check", [])]
-        exercise = made(Exercise, entry | {"check": checks}, f"{where}: exercise '{entry.get('id', '?')}'")
+        checks = [dataclass_from(Check, check, f"{where}: check '{check.get('id', '?')}'") for check in entry.get("check", [])]
+        exercise = dataclass_from(Exercise, entry | {"check": checks}, f"{where}: exercise '{entry.get('id', '?')}'")
         unknown = set(exercise.builds_on) - {earlier.id for earlier in exercises}
         if unknown:
             raise BadInput(f"{where}: exercise '{exercise.id}' builds on '{unknown.pop()}', which is not an earlier exercise")
         exercises.append(exercise)
-    limits = made(Limits, table.get("limits", {}), f"{where}: limits")
-    assignment = made(Assignment, table | {"exercise": exercises, "limits": limits}, where)
+    limits = dataclass_from(Limits, table.get("limits", {}), f"{where}: limits")
+    assignment = dataclass_from(Assignment, table | {"exercise": exercises, "limits": limits}, where)
     total = round(sum(exercise.points for exercise in exercises), 2)
     if total != assignment.points:
         raise BadInput(f"{where}: the points of all checks add up to {total:g}, not {assignment.points:g}")

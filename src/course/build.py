@@ -52,7 +52,7 @@ class Kit:
         self.given = sorted(path.name for path in self.folder.glob("given-*.o"))
 
     @classmethod
-    def made(cls, folder, assignment, handout, jobs, progress=lambda what, done, total: None):
+    def compiled(cls, folder, assignment, handout, jobs, progress=lambda what, done, total: None):
         """Returns the kit in this folder. Compiles it first unless it was made from the same handout, {name: text}."""
         code = {name: text for name, text in sorted(handout.items()) if name.endswith((".cpp", ".hpp"))}
         compiler = subprocess.run(["g++", "--version"], capture_output=True, check=False).stdout
@@ -130,7 +130,7 @@ class Builder:
         includes = [f"-I{self.sandbox.kit}/{name}" for name in ("src", "provided")]
         words = ["g++", *FLAGS, *includes, "-c", exercise.file, "-o", "object.o"]
         script = '"$@" && nm --extern-only --format=posix object.o > symbols'
-        return self.made({exercise.file: text}, ["sh", "-c", script, "sh", *words], seconds, exercise, built)
+        return self.run_job({exercise.file: text}, ["sh", "-c", script, "sh", *words], seconds, exercise, built)
 
     def link(self, own, exercise, built):
         """Links the program of an exercise from these objects, {exercise id: file}, and stubs for all other exercises."""
@@ -140,12 +140,12 @@ class Builder:
                 inputs[f"{other.id}.o"] = own[other.id].read_bytes()
             objects.append(f"{other.id}.o" if other.id in own else f"{self.sandbox.kit}/stub-{other.id}.o")
         given = [f"{self.sandbox.kit}/{name}" for name in self.kit.given]
-        folder = self.made(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
+        folder = self.run_job(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
         if exercise.id in built.errors:
             built.errors[exercise.id] = f"{exercise.file} does not link:\n{built.errors[exercise.id]}"
         return folder
 
-    def made(self, inputs, words, seconds, exercise, built):
+    def run_job(self, inputs, words, seconds, exercise, built):
         """Returns the folder with a job's result. Runs the job unless the store has it. Records a failure in built.errors."""
         key = hash_of(self.kit.key, [word.replace(self.sandbox.kit, "KIT") for word in words], inputs)
         folder = self.store / key
@@ -173,7 +173,7 @@ class Builder:
     def message(self, text, seconds):
         """Returns the message for the student when the compiler or linker failed with this text."""
         lines = text.replace(f"{self.sandbox.kit}/", "").splitlines()
-        text = plain("\n".join(line for line in lines if not line.startswith("                 from ")))[:MAX_MESSAGE].strip()
+        text = printable("\n".join(line for line in lines if not line.startswith("                 from ")))[:MAX_MESSAGE].strip()
         if not text or "CPU time limit exceeded" in text or "Killed" in text:
             return f"compiling takes more than {seconds} s or too much memory"
         if "No such file or directory" in text and '#include "' in text:
@@ -181,6 +181,6 @@ class Builder:
         return text
 
 
-def plain(text):
+def printable(text):
     """Replaces characters that control a terminal or reverse the direction of text."""
     return "".join(c if c in "\n\t" or c.isprintable() else "?" for c in text)

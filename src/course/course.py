@@ -11,6 +11,7 @@ import signal
 import sys
 import tempfile
 import time
+import zipfile
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
@@ -65,7 +66,7 @@ class Course:
         self.progress = Progress()
 
     def require_salt(self):
-        if not self.salt_file.exists():
+        if not self.salt_file.exists() or not self.salt_file.read_bytes():
             raise BadInput(f"{self.salt_file}: there is no salt for the hidden checks; \"prove\" writes one")
 
     def secrets(self):
@@ -111,18 +112,18 @@ def grade(options):
     if class_file and filled == options.class_file.resolve():
         raise BadInput(f"{filled}: the filled file would replace this one; move it to a different folder")
 
-    taken, problems = take(options.submissions, course.assignment)
-    for id in taken if class_file else []:
+    submitted, problems = read_submissions(options.submissions, course.assignment)
+    for id in submitted if class_file else []:
         class_file.row_of(id)
     for id, problem in problems.items():
         print(f"{id}: not graded: {problem}", file=sys.stderr)
-    if not taken:
+    if not submitted:
         raise BadInput(f"{options.submissions}: no submission can be graded; nothing was written")
     proved = course.work / "proved.json"
     if not proved.exists() or json.loads(proved.read_text())["salt"] != hash_of(course.salt_file.read_bytes()):
         print("note: the handout was not proved here with this salt; grade the whole class with the same salt", file=sys.stderr)
 
-    for id, graded in grade_all(course, options, taken):
+    for id, graded in grade_all(course, options, submitted):
         if isinstance(graded, Exception):
             problems[id] = f"the grader failed: {graded}"
             print(f"{id}: not graded: {problems[id]}", file=sys.stderr)
@@ -137,29 +138,29 @@ def grade(options):
     written = [output, beside(output, ".csv")]
     if class_file:
         written.append(filled)
-        new_marks = {id: marks[id] for id in taken if id not in problems}
+        new_marks = {id: marks[id] for id in submitted if id not in problems}
         filled.write_text(class_file.filled(new_marks), encoding="utf-8", newline="")
-    n_submissions = len(taken.keys() | problems.keys())
+    n_submissions = len(submitted.keys() | problems.keys())
     print(f"{n_submissions - len(problems)} of {n_submissions} submissions were graded", *map(os.path.relpath, written), sep="\n")
     return 1 if problems else 0
 
 
-def take(source, assignment):
+def read_submissions(source, assignment):
     """Returns the files of each submission, {id: {name: bytes}}, and why a submission cannot be graded, {id: reason}."""
-    taken, problems = {}, {}
+    submitted, problems = {}, {}
     for submission in submissions_in(source):
         try:
-            taken[submission.id] = submission.take(assignment)
+            submitted[submission.id] = submission.read_files(assignment)
         except Unusable as error:
             problems[submission.id] = str(error)
-    return taken, problems
+    return submitted, problems
 
 
-def grade_all(course, options, taken):
+def grade_all(course, options, submitted):
     """Grades submissions in parallel. Yields each id with its Graded, or with the exception that the grader raised."""
     judge = Judge(course.judge_file, course.salt_file)
     course.work.mkdir(parents=True, exist_ok=True)
-    kit = Kit.made(course.work / "kit", course.assignment, course.handout, options.jobs, course.progress)
+    kit = Kit.compiled(course.work / "kit", course.assignment, course.handout, options.jobs, course.progress)
     sandbox_class = SANDBOXES[options.sandbox]
     sandbox_class(kit.folder, course.assignment.limits).require()
 
@@ -167,13 +168,13 @@ def grade_all(course, options, taken):
         with tempfile.TemporaryDirectory(dir=options.scratch, ignore_cleanup_errors=True) as store:
             os.chmod(store, 0o755)
             sandbox = sandbox_class(kit.folder, course.assignment.limits)
-            return Grader(course.assignment, kit, sandbox, judge, store).grade(taken[id], id)
+            return Grader(course.assignment, kit, sandbox, judge, store).grade(submitted[id], id)
 
-    course.progress("graded", 0, len(taken))
+    course.progress("graded", 0, len(submitted))
     with ThreadPoolExecutor(options.jobs) as pool:
-        waiting = {pool.submit(grade_one, id): id for id in taken}
+        waiting = {pool.submit(grade_one, id): id for id in submitted}
         for number, future in enumerate(as_completed(waiting), 1):
-            course.progress("graded", number, len(taken))
+            course.progress("graded", number, len(submitted))
             yield waiting[future], future.exception() or future.result()
 
 
@@ -212,12 +213,20 @@ def pack_for_gradescope(options):
     course = Course(options)
     course.require_salt()
     output = options.output or course.build / "gradescope.zip"
+    if output.exists() and not zipfile.is_zipfile(output):
+        raise BadInput(f"{output}: this is not a zip; nothing was written")
     judge = Judge(course.judge_file.with_name(course.judge_file.name + "-static"), course.salt_file)
     output.parent.mkdir(parents=True, exist_ok=True)
     write_zip(gradescope.files(course.assignment, course.handout, judge), output)
     print(f"{os.path.relpath(output)}\n"
           "Upload it as the autograder, with the default base image. It contains the salt: give it to nobody else.")
     return 0
+
+
+def number_of_jobs(text):
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of jobs")
+    return int(text)
 
 
 def parser():
@@ -231,7 +240,7 @@ def parser():
                         help="the salt, which determines the numbers of the hidden checks (salt.txt)")
     shared.add_argument("--output", type=Path, metavar="PATH", help="where to write the result")
     jobs = argparse.ArgumentParser(add_help=False)
-    jobs.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="number of parallel jobs (one per processor)")
+    jobs.add_argument("--jobs", type=number_of_jobs, default=os.cpu_count(), metavar="N", help="number of parallel jobs (one per processor)")
     jobs.add_argument("--sandbox", choices=SANDBOXES, default="bubblewrap",
                       help="'user' is for root in a container that contains nothing else")
 
@@ -271,6 +280,9 @@ def main():
     except (BadInput, ToolFailure, Disproved) as error:
         print(error, file=sys.stderr)
         return {BadInput: 2, ToolFailure: 3, Disproved: 1}[type(error)]
+    except OSError as error:  # a file or folder of the user cannot be read or written
+        print(f"{error.filename}: {error.strerror}", file=sys.stderr)
+        return 2
 
 
 if __name__ == "__main__":

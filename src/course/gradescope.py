@@ -54,7 +54,7 @@ def setup(source):
     """Compiles the kit, which submissions may read. They may read nothing else."""
     handout = source / "handout"
     texts = {path.relative_to(handout).as_posix(): path.read_text(encoding="utf-8") for path in handout.rglob("*.?pp")}
-    Kit.made(AUTOGRADER / "kit", read_assignment(source), texts, os.cpu_count())
+    Kit.compiled(AUTOGRADER / "kit", read_assignment(source), texts, os.cpu_count())
     os.chmod(source / "judge", 0o700)
     os.chmod(source, 0o700)
 
@@ -71,7 +71,7 @@ def grade(source):
     sandbox = User(kit.folder, assignment.limits)
     sandbox.require()
     try:
-        submitted = Submission(student, folder_members(AUTOGRADER / "submission")).take(assignment)
+        submitted = Submission(student, folder_members(AUTOGRADER / "submission")).read_files(assignment)
     except Unusable as error:
         found = {"score": 0, "output": f"Nothing can be graded: {error}"}
     else:

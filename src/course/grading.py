@@ -9,7 +9,7 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from build import Builder, hash_of, plain
+from build import Builder, hash_of, printable
 from errors import BadInput, ToolFailure
 
 
@@ -83,13 +83,13 @@ class Grader:
             else:
                 outcomes = {}
                 for visibility in ("public", "hidden"):
-                    asked, seconds, _ = self.asked(exercise, visibility, student, allowance, built.programs[exercise.id])
+                    asked, seconds, _ = self.outcomes_of(exercise, visibility, student, allowance, built.programs[exercise.id])
                     outcomes |= asked
                     allowance -= seconds
             graded.results += capped(exercise, outcomes)
         return graded
 
-    def asked(self, exercise, visibility, student, allowance, folder):
+    def outcomes_of(self, exercise, visibility, student, allowance, folder):
         """Returns what Judge.ask returns for the program in a folder. Runs the judge unless the store has the outcome."""
         key = hash_of(self.judge.key, exercise, visibility, student if visibility == "public" else "", folder.name)
         file = self.builder.store / f"{key}.json"
@@ -130,7 +130,7 @@ def capped(exercise, outcomes):
 
 def results_json(assignment, graded):
     """Returns the results in Gradescope's format. Of a hidden check, students see only the points."""
-    tests = [{"name": f"{result.check.id}: {result.check.says}", "score": result.points, "max_score": result.check.points,
+    tests = [{"name": f"{result.check.id}: {result.check.description}", "score": result.points, "max_score": result.check.points,
               "output": result.message if result.check.is_public else "", "visibility": "visible"} for result in graded.results]
     output = "\n\n".join(graded.errors.values()) or f"{graded.points:g} of {assignment.points:g} points"
     return {"score": graded.points, "output": output, "stdout_visibility": "hidden", "tests": tests}
@@ -145,10 +145,10 @@ def feedback_text(assignment, graded):
         error = graded.errors.get(exercise.file, "")
         lines += [f"  {line}" for line in error.splitlines()]
         for result in results:
-            lines.append(f"  {result.points:g} of {result.check.points:g}  {result.check.says} ({result.check.id})")
+            lines.append(f"  {result.points:g} of {result.check.points:g}  {result.check.description} ({result.check.id})")
             if result.check.is_public and result.message and not error:
                 lines.append(f"      {result.message}")
-    return plain("\n".join(lines)) + "\n"
+    return printable("\n".join(lines)) + "\n"
 
 
 def teacher_text(graded):

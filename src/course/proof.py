@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import template
-from assignment import made, read_toml
+from assignment import dataclass_from, read_toml
 from build import Kit, hash_of, write
 from errors import BadInput, ToolFailure
 from grading import Grader, Judge
@@ -23,7 +23,7 @@ IDS = [f"student{number}" for number in range(1, 21)]
 class Wrong:
     """The solution with a mistake, and the points that it must score."""
     id: str
-    says: str
+    description: str
     points: float
     change: list  # tables with file, before, after
 
@@ -39,7 +39,7 @@ def read_wrong_solutions(file, solution):
         where = f"{file}: '{entry.get('id', '?')}'"
         if "file" in entry:
             entry["change"] = [{key: entry.pop(key, "") for key in ("file", "before", "after")}]
-        wrong = made(Wrong, entry, where)
+        wrong = dataclass_from(Wrong, entry, where)
         files = dict(solution)
         for change in wrong.change:
             name, before, after = change["file"], change["before"], change["after"]
@@ -72,7 +72,7 @@ class Proof:
         self.files = [exercise.file for exercise in assignment.exercise]
         self.store = work / "store"
         self.store.mkdir(parents=True, exist_ok=True)
-        self.kit = Kit.made(work / "kit", assignment, self.handout, jobs, progress)
+        self.kit = Kit.compiled(work / "kit", assignment, self.handout, jobs, progress)
         self.sandbox_class = sandbox_class
         sandbox_class(self.kit.folder, assignment.limits).require()
         self.used = set()  # names of the results in the store that were used

@@ -47,7 +47,7 @@ def generated(assignment, judge):
     for exercise in assignment.exercise:
         files[f"checks-{exercise.id}.tex"] = tabular(
             "llr", ["tested property", "check", "points"],
-            [[escaped(check.says), check.visibility, f"{check.points:g}"] for check in exercise.check])
+            [[escaped(check.description), check.visibility, f"{check.points:g}"] for check in exercise.check])
     return files
 
 

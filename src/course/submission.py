@@ -53,7 +53,7 @@ class Submission:
     members: list = field(default_factory=list)
     problem: str = ""
 
-    def take(self, assignment):
+    def read_files(self, assignment):
         """Reads the files of the exercises, {name: bytes}. Raises Unusable if there are none, or if one occurs twice."""
         if self.problem:
             raise Unusable(self.problem)
@@ -62,10 +62,10 @@ class Submission:
         zips = [member for member in members if member.path.suffix.lower() == ".zip"]
         if len(zips) == 1 and not any(member.path.name in names for member in members):
             members = zip_members(io.BytesIO(zips[0].read(MAX_ZIP_KB)))
-        wanted = [member for member in members if member.path.name in names]
+        candidates = [member for member in members if member.path.name in names]
         # Files in src take precedence over files with the same name elsewhere.
         files = {}
-        for member in [member for member in wanted if member.path.parent.name == "src"] or wanted:
+        for member in [member for member in candidates if member.path.parent.name == "src"] or candidates:
             name = names[member.path.name]
             if name in files:
                 raise Unusable(f"{name} was submitted twice")

@@ -17,7 +17,7 @@ from errors import BadInput
 
 MARKER = re.compile(r"(?P<indent>\s*)(?P<sign>//|#|%|<!--) ?(?P<words>BEGIN SOLUTION|END SOLUTION|STUB:|EACH [A-Z ]+:) ?"
                     r"(?P<rest>.*?)(?P<end> ?-->)?$")
-LOOKS_LIKE_ONE = re.compile(r"\b(begin|end)[ _-]+solutions?\b", re.IGNORECASE)
+LOOKS_LIKE_A_MARKER = re.compile(r"\b(begin|end)[ _-]+solutions?\b", re.IGNORECASE)
 
 
 @dataclass
@@ -31,30 +31,30 @@ class Divided:
 def divide(text, name, lists):
     """Divides a file at its markers. `lists` contains the words for EACH lines: {"EXERCISE": [{"id": …}, …]}."""
     result = Divided()
-    begun = None
+    begin_line = None
     for number, line in enumerate(text.splitlines(keepends=True), 1):
         marker = MARKER.fullmatch(line.rstrip("\r\n"))
         if not marker:
-            if LOOKS_LIKE_ONE.search(line):
+            if LOOKS_LIKE_A_MARKER.search(line):
                 raise BadInput(f"{name}:{number}: this looks like a marker but is not one: {line.strip()}")
             result.solution += line
-            if not begun:
+            if not begin_line:
                 result.handout += line
             elif line.strip():
                 result.secrets.append((number, line.strip()))
             continue
         indent, sign, words, rest = marker["indent"], marker["sign"], marker["words"], marker["rest"]
         if words == "BEGIN SOLUTION":
-            if begun:
-                raise BadInput(f"{name}:{number}: BEGIN SOLUTION inside the solution that begins in line {begun}")
-            begun = number
+            if begin_line:
+                raise BadInput(f"{name}:{number}: BEGIN SOLUTION inside the solution that begins in line {begin_line}")
+            begin_line = number
             result.handout += f"{indent}{sign} YOUR SOLUTION HERE{' -->' if sign == '<!--' else ''}\n"
         elif words == "END SOLUTION":
-            if not begun:
+            if not begin_line:
                 raise BadInput(f"{name}:{number}: END SOLUTION without BEGIN SOLUTION")
-            begun = None
+            begin_line = None
         elif words == "STUB:":
-            if not begun:
+            if not begin_line:
                 raise BadInput(f"{name}:{number}: STUB outside a solution")
             result.handout += f"{indent}{rest}\n"
         else:
@@ -62,8 +62,8 @@ def divide(text, name, lists):
                 expanded = f"{indent}{expand(rest, entry, f'{name}:{number}')}\n"
                 result.handout += expanded
                 result.solution += expanded
-    if begun:
-        raise BadInput(f"{name}:{begun}: BEGIN SOLUTION without END SOLUTION")
+    if begin_line:
+        raise BadInput(f"{name}:{begin_line}: BEGIN SOLUTION without END SOLUTION")
     return result
 
 

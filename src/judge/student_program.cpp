@@ -133,7 +133,7 @@ std::string StudentProgram::read_line() {
     }
     char chunk[65536];
     const auto n = ::recv(channel_, chunk, sizeof chunk, 0);
-    if (n <= 0) throw NoAnswer(how_it_ended());
+    if (n <= 0) throw NoAnswer(reason_of_exit());
     text.append(chunk, static_cast<std::size_t>(n));
     if (text.size() > max_answer_bytes) throw NoAnswer("the program's answer is too long");
   }
@@ -143,7 +143,7 @@ std::string StudentProgram::read_line() {
 }
 
 // Returns the message for the student after the program has closed its channel.
-std::string StudentProgram::how_it_ended() const {
+std::string StudentProgram::reason_of_exit() const {
   siginfo_t end{};
   for (int tries = 0; tries < 1000 && end.si_pid == 0; ++tries) {
     ::usleep(1000);

@@ -44,7 +44,7 @@ class StudentProgram {
   bool has_allowance() const { return used_seconds_ < allowance_; }
   double seconds_for_a_question() const;
   std::string read_line();
-  std::string how_it_ended() const;
+  std::string reason_of_exit() const;
   void start();
   void stop();
 

@@ -20,7 +20,7 @@ class Handout(unittest.TestCase):
     def test_it_does_not_name_hidden_checks_or_wrong_solutions(self):
         hidden = [check.id for check in ASSIGNMENT.checks if not check.is_public]
         for name, text in HANDOUT.items():
-            for secret in [*hidden, *(wrong.says for wrong in WRONG), *(wrong.id for wrong in WRONG if "-" in wrong.id)]:
+            for secret in [*hidden, *(wrong.description for wrong in WRONG), *(wrong.id for wrong in WRONG if "-" in wrong.id)]:
                 self.assertNotIn(secret, text, name)
 
     def test_the_workflow_is_an_ordinary_one(self):

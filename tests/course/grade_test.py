@@ -115,7 +115,9 @@ class Grade(unittest.TestCase):
         shutil.rmtree(self.work.submissions)
         write({"ada.zip": b"damaged"}, self.work.submissions)
         self.fails(2, "ada: not graded: the zip is damaged(.|\n)*no submission can be graded; nothing was written")
-        (self.work.private / "salt.txt").unlink()
+        self.fails(2, "'0' is not a number of jobs", "--jobs", "0")
+        self.fails(2, "worksheet.csv: Not a directory", "--output", self.work.folder / "worksheet.csv")
+        (self.work.private / "salt.txt").write_text("")
         self.fails(2, "there is no salt for the hidden checks; \"prove\" writes one")
 
     def test_a_failure_of_the_grader_gives_nobody_zero_points(self):

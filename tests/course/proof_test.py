@@ -39,7 +39,7 @@ class WrongSolutions(unittest.TestCase):
                 self.read(LIST.replace(before, after, 1))
 
     def test_new_points_change_nothing_else_in_the_list(self):
-        text = LIST + '\n[[wrong]]\nid = "odd"\nsays = ""\npoints = 1\nafter = """\npoints = 2\n"""\n'
+        text = LIST + '\n[[wrong]]\nid = "odd"\ndescription = ""\npoints = 1\nafter = """\npoints = 2\n"""\n'
         points = {"doubled": 10, "no-cube": 20, "odd": 1}
         self.assertEqual(proof.with_points(text, points), text)
         self.assertEqual(proof.with_points(text, {**points, "no-cube": 7.25, "odd": 3}),

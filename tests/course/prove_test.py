@@ -85,7 +85,7 @@ class Prove(unittest.TestCase):
         self.fails(2, "the untouched handout scores 10 points, not 0")
 
     def test_3_fails_if_the_solution_does_not_score_all_points(self):
-        self.edit("template/src/cube.cpp", "return x * square(x);", "return x * x;")
+        self.edit("template/src/cube.cpp", "return x * square(x);", "return x * square(x) / x;")
         self.fails(3, "with the numbers of '' the solution scores 20 points(.|\n)*cube-right: 0 of 6: the cube is wrong")
 
     def test_4_fails_if_a_wrong_solution_does_not_score_its_listed_points(self):

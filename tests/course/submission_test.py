@@ -53,7 +53,7 @@ class Submissions(unittest.TestCase):
         result = {}
         for one in submission.submissions_in(source or self.folder):
             try:
-                result[one.id] = one.take(TOY_ASSIGNMENT)
+                result[one.id] = one.read_files(TOY_ASSIGNMENT)
             except submission.Unusable as error:
                 result[one.id] = str(error)
         return result
