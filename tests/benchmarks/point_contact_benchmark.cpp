@@ -99,16 +99,8 @@ void spheres_exponent(benchmark::State& state) {
   state.counters["exponent"] = slope;
 }
 
-BENCHMARK(spheres_by_fft)
-    ->Arg(128)
-    ->Arg(256)
-    ->Arg(512)
-    ->Arg(1024)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(spheres_by_fft_as_good)
-    ->Arg(256)
-    ->Arg(1024)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_by_fft)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_by_fft_as_good)->Arg(256)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(spheres_by_variational_method)
     ->Arg(256)
     ->Arg(1024)

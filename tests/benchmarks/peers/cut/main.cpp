@@ -35,8 +35,8 @@ Case read_case(const std::filesystem::path& file) {
   return c;
 }
 
-void compute(literate::Document& document, const literate::Inputs& inputs) {
-  const Case c = read_case(inputs.case_file);
+void compute(literate::Document& document, const std::filesystem::path& case_file) {
+  const Case c = read_case(case_file);
   const double a = c.load.half_width();
   const elasticity::SurfaceQuadrature surface(c.material, c.load, c.datum);
   const auto closed_form = [&](double x) {
@@ -82,5 +82,5 @@ void compute(literate::Document& document, const literate::Inputs& inputs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return literate::main(argc, argv, literate::this_paper(), compute);
+  return literate::main(argc, argv, compute);
 }
