@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// {fmt} for the static judge, since Debian has no archive of it: its functions, and the templates
-// that its headers only declare.
+// Compiles {fmt} into the static judge, because Debian has no static library of it. The templates
+// are those that its headers only declare.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge of this assignment, with public and hidden checks. The handout has one with the public
-// checks alone, report/assignment/template/provided/checks.cpp.
+// The judge of this assignment, with public and hidden checks. The judge in the handout has only
+// the public checks: report/assignment/template/provided/checks.cpp.
 #include "exercise_list.hpp"
 #include "judge/judge.hpp"
 

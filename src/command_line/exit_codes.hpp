@@ -10,15 +10,15 @@ namespace command_line {
 
 using sys::ExitCode;
 
-/// What all messages of this program begin with: the name that it was started by, unless a
-/// different one was set.
+/// The name at the beginning of each message: the one with which the program was started, unless
+/// set_program_name() has changed it.
 std::string program_name();
 void set_program_name(const std::string& name);
 
-/// Prints a message as a line on standard error, and returns `exit_code`.
+/// Prints a message on standard error and returns `exit_code`.
 ExitCode complain(const std::string& message, ExitCode exit_code);
 
-/// Runs a command; turns what it throws into one message on standard error and its exit code.
+/// Runs a command. Converts an exception to a message on standard error and an exit code.
 ExitCode run_guarded(const std::function<ExitCode()>& command);
 
 }  // namespace command_line

@@ -5,7 +5,7 @@
 
 namespace command_line {
 
-/// How long something takes, from here on.
+/// Measures the wall-clock time since its construction.
 class Stopwatch {
  public:
   double seconds() const {

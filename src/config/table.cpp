@@ -27,17 +27,17 @@ std::string type_name(const toml::node& node) {
 }  // namespace
 
 // One table of a file. All tables of a file share the document and the record of the keys that were
-// asked for.
+// read.
 struct Table::Node {
   struct Document {
     std::string file;
     toml::table root;
-    std::set<const toml::node*> asked_for;
-    std::map<std::string, std::set<std::string>> asked_names;  // of each table, by its path
+    std::set<const toml::node*> read;
+    std::map<std::string, std::set<std::string>> read_keys;  // of each table, by its path
   };
   std::shared_ptr<Document> document;
   const toml::table* table;
-  std::string path;  // the keys that lead here, joined by dots; empty for the root
+  std::string path;  // the keys from the root to this table, joined by dots
 
   std::string path_of(const std::string& key) const {
     return path.empty() ? key : path + "." + key;
@@ -49,34 +49,34 @@ struct Table::Node {
   }
 
   const toml::node& get(const std::string& key) const {
-    document->asked_names[path].insert(key);
+    document->read_keys[path].insert(key);
     const toml::node* node = table->get(key);
     if (node == nullptr) fail_missing(key);
-    document->asked_for.insert(node);
+    document->read.insert(node);
     return *node;
   }
 
-  /// A key that may be misspelt is shown at its own place.
+  /// If the key is misspelt, the error has the place of the misspelt key.
   [[noreturn]] void fail_missing(const std::string& key) const {
     std::set<std::string> unknown;
     for (const auto& [other, node] : *table) {
-      if (!document->asked_for.contains(&node)) unknown.emplace(other.str());
+      if (!document->read.contains(&node)) unknown.emplace(other.str());
     }
     const auto nearest = sys::nearest_name(key, unknown);
     if (!nearest) fail(table->source(), key, "missing");
     fail(table->get(*nearest)->source(), key, fmt::format("missing, did you mean '{}'?", *nearest));
   }
 
-  /// The names that were asked for and are not there.
+  /// The keys that were read but do not exist.
   std::set<std::string> missing_keys() const {
-    std::set<std::string> keys = document->asked_names[path];
+    std::set<std::string> keys = document->read_keys[path];
     std::erase_if(keys, [this](const std::string& key) { return table->contains(key); });
     return keys;
   }
 
   [[noreturn]] void wrong_type(const toml::node& node, const std::string& key,
-                               const std::string& wanted) const {
-    fail(node.source(), key, fmt::format("must be {}, not {}", wanted, type_name(node)));
+                               const std::string& expected) const {
+    fail(node.source(), key, fmt::format("must be {}, not {}", expected, type_name(node)));
   }
 
   double number_at(const toml::node& node, const std::string& key) const {
@@ -94,12 +94,12 @@ struct Table::Node {
     return *text;
   }
 
-  /// What `read` makes of each element of an array.
+  /// Reads each element of an array with `read`.
   template <typename Read>
-  auto elements(const std::string& key, const std::string& wanted, Read&& read) const {
+  auto elements(const std::string& key, const std::string& expected, Read&& read) const {
     const toml::node& node = get(key);
     const toml::array* array = node.as_array();
-    if (array == nullptr) wrong_type(node, key, wanted);
+    if (array == nullptr) wrong_type(node, key, expected);
     std::vector<decltype(read(node))> elements;
     for (const toml::node& element : *array) elements.push_back(read(element));
     return elements;
@@ -122,7 +122,7 @@ Table Table::parse_file(const std::filesystem::path& path) {
 }
 
 bool Table::has(const std::string& key) const {
-  node_->document->asked_names[node_->path].insert(key);
+  node_->document->read_keys[node_->path].insert(key);
   return node_->table->contains(key);
 }
 
@@ -187,7 +187,7 @@ void Table::reject_unknown_keys(const std::set<std::string>& left_to_others) con
   for (const auto& [key, node] : *node_->table) {
     const std::string name(key.str());
     if (left_to_others.contains(name)) continue;
-    if (!node_->document->asked_for.contains(&node)) {
+    if (!node_->document->read.contains(&node)) {
       node_->fail(key.source(), name, "unknown key" + sys::suggestion(name, node_->missing_keys()));
     }
     if (node.is_table()) table(name).reject_unknown_keys();

@@ -12,20 +12,20 @@
 
 namespace config {
 
-/// A case file with a mistake. what() is one line: «file:line:column: key: what is wrong».
+/// A mistake in a case file. what() is one line: «file:line:column: key: message».
 class Error : public sys::InputError {
  public:
   using InputError::InputError;
 };
 
-/// A table of a TOML file that is read strictly: a key that is missing, has the wrong type or unit,
-/// or was never asked for is an error with its place in the file, and the nearest key.
+/// A table of a TOML file, read strictly: a missing or unknown key or a value of the wrong type or
+/// unit is an error with its place in the file. A misspelt key is an error with a suggestion.
 ///
-/// A quantity is written {value = 30e6, unit = "psi"}; it may have any unit of the right dimension
-/// and is converted as config::converted does. A copy is a view of the same file.
+/// A quantity is written {value = 30e6, unit = "psi"}. It may have any unit of the right dimension;
+/// config::converted() converts it. A copy is a view of the same file.
 class Table {
  public:
-  /// Parses a file; throws Error if it cannot be read or is not TOML (doubled keys included).
+  /// Parses a file. Throws Error if the file cannot be read or is not valid TOML.
   static Table parse_file(const std::filesystem::path& path);
 
   bool has(const std::string& key) const;
@@ -39,10 +39,10 @@ class Table {
   std::vector<double> numbers(const std::string& key) const;
   long integer(const std::string& key) const;
   double quantity(const std::string& key, Dimension dimension, const UnitSystem& units) const;
-  /// The same in any unit that UDUNITS-2 knows, such as "m/s2".
+  /// Reads a quantity in any unit that UDUNITS-2 knows, such as "m/s2".
   double quantity(const std::string& key, const std::string& unit) const;
 
-  /// Whether the key is there and its value is the given text.
+  /// Whether the key exists and its value is this text.
   bool is_text(const std::string& key, const std::string& text) const;
 
   /// Returns make(). If that throws InvalidQuantity or UnitError, throws Error with the same
@@ -58,11 +58,11 @@ class Table {
     }
   }
 
-  /// Throws Error for the first key, here or below, that nobody has asked for. Tables of this one
-  /// that are named in `left_to_others` are not looked into: their own readers do so.
+  /// Throws Error for the first key in this table or below that was never read. Skips the tables in
+  /// `left_to_others`, which have separate readers.
   void reject_unknown_keys(const std::set<std::string>& left_to_others = {}) const;
 
-  /// The place of the value of `key`, or of the table if it has no such key: «file:line:column».
+  /// Returns «file:line:column» of the value of `key`, or of the table if it has no such key.
   std::string place(const std::string& key) const;
 
   /// Throws Error with place(key), the key and the message.

@@ -27,7 +27,7 @@ using System = std::unique_ptr<ut_system, Deleter>;
 using Unit = std::unique_ptr<ut_unit, Deleter>;
 using Converter = std::unique_ptr<cv_converter, Deleter>;
 
-/// UDUNITS-2 reads units in memory that all threads share.
+/// UDUNITS-2 is not thread-safe.
 std::mutex udunits;
 
 ut_system* database() {
@@ -62,12 +62,12 @@ Converter converter(const std::string& from, const std::string& to) {
       times(0) == 0 && times(1) > 0 && std::abs(times(2) - 2 * times(1)) <= rounding * times(1);
   if (!is_factor) {
     throw UnitError(
-        fmt::format("\"{}\" is no multiple of \"{}\": give the number in \"{}\"", from, to, to));
+        fmt::format("\"{}\" is not a multiple of \"{}\": give the number in \"{}\"", from, to, to));
   }
   return converter;
 }
 
-/// Without what binary arithmetic adds to decimal numbers; infinity and NaN stay as they are.
+/// Removes the rounding noise of binary arithmetic. Infinity and NaN stay unchanged.
 double to_15_digits(double number) {
   return sys::parsed<double>(fmt::format("{:.15g}", number)).value_or(number);
 }

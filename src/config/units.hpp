@@ -15,11 +15,11 @@ class UnitError : public sys::InputError {
   using InputError::InputError;
 };
 
-/// The dimension of a quantity; a pure number has `none`.
+/// The dimension of a quantity; `none` for a pure number.
 enum class Dimension { none, length, force, stress, line_load, density };
 
 /// A coherent system of units: stress = force/length² and line load = force/length, so that
-/// formulas need no factors. UDUNITS-2 knows the spellings.
+/// formulas need no factors. The names of units are those of UDUNITS-2.
 struct UnitSystem {
   std::string name;
   std::string length;
@@ -28,24 +28,23 @@ struct UnitSystem {
   std::string line_load;
   std::string density;  ///< mass is force·time²/length, with time in s
 
-  /// The system's unit of the dimension; "1" for none.
+  /// Returns the unit of a dimension; "1" for none.
   const std::string& unit(Dimension dimension) const;
 };
 
-/// The systems that a case may choose from: in-lbf (in, lbf, psi), mm-N (mm, N, MPa), m-N (m, N,
+/// The unit systems of cases: in-lbf (in, lbf, psi), mm-N (mm, N, MPa), m-N (m, N,
 /// Pa). The first is the default.
 const std::vector<UnitSystem>& unit_systems();
 
-/// The system of that name; throws UnitError that lists the names for any other.
+/// Returns the system with this name. Throws UnitError with a list of names if there is none.
 const UnitSystem& unit_system(std::string_view name);
 
 /// Whether UDUNITS-2 knows a unit.
 bool is_unit(const std::string& name);
 
-/// Returns the quantity `number` of the unit `from` in the unit `to`, as UDUNITS-2 defines both,
-/// rounded to 15 digits, so that 39.4 in are 1.00076 m. Throws UnitError if a unit is unknown, if
-/// the dimensions differ, and if the one is no positive multiple of the other, as with an offset
-/// (degC) or a reciprocal.
+/// Converts a number from one unit of UDUNITS-2 to another, and rounds it to 15 digits: 39.4 in are
+/// 1.00076 m. Throws UnitError if a unit is unknown, if the dimensions differ, or if one unit is
+/// not a positive multiple of the other, such as degC (an offset) or a reciprocal.
 double converted(double number, const std::string& from, const std::string& to);
 
 }  // namespace config

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The assignment as report/assignment/assignment.toml describes it: exercises, checks, points, limits."""
+"""Reads report/assignment/assignment.toml: the exercises, checks, points and limits."""
 import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,8 +11,8 @@ from errors import BadInput
 class Check:
     id: str
     points: float
-    visibility: str  # "public": students have its code; "hidden": they are told its points only
-    says: str  # what it tests, for students
+    visibility: str  # "public": students have its code; "hidden": students see only its points
+    description: str  # what it tests, for students
 
     @property
     def is_public(self):
@@ -23,7 +23,7 @@ class Check:
 class Exercise:
     id: str  # its file is src/ID.cpp
     title: str
-    builds_on: list  # ids of earlier exercises, whose functions its checks ask for too
+    builds_on: list  # ids of earlier exercises whose functions its checks also call
     check: list
 
     @property
@@ -39,7 +39,7 @@ class Exercise:
 class Limits:
     compile_seconds: int  # of processor time, for one file
     run_seconds: int  # of processor time, for all questions of an exercise
-    submission_seconds: int  # that compiling, and questions without an answer, may take in all
+    submission_seconds: int  # by the clock, for compiling and for all questions
     memory_mb: int  # of one process
     processes: int
     file_kb: int  # size of one submitted file
@@ -48,10 +48,10 @@ class Limits:
 @dataclass(frozen=True)
 class Assignment:
     title: str
-    due: str  # as the sheet prints it
+    due: str  # printed on the sheet as it is
     points: float
-    provided: list  # patterns of files below src of which the handout gets copies
-    not_secret: list  # lines of the solution that anybody would write
+    provided: list  # patterns of files below src that are copied into the handout
+    not_secret: list  # lines of the solution that the handout may contain
     limits: Limits
     exercise: list
 
@@ -60,7 +60,7 @@ class Assignment:
         return [check for exercise in self.exercise for check in exercise.check]
 
     def exercises_behind(self, exercise):
-        """The ids of the exercises on which this one builds, directly or not."""
+        """Returns the ids of all exercises that this one builds on, directly or indirectly."""
         behind = set(exercise.builds_on)
         for earlier in reversed(self.exercise):
             if earlier.id in behind:
@@ -68,8 +68,8 @@ class Assignment:
         return behind
 
 
-def made(kind, table, where):
-    """A dataclass of a table with exactly its keys."""
+def dataclass_from(kind, table, where):
+    """Makes a dataclass from a table that has exactly its fields as keys."""
     names = {field.name for field in dataclasses.fields(kind)}
     for key in table.keys() - names:
         raise BadInput(f"{where}: there is no key '{key}'")
@@ -79,26 +79,26 @@ def made(kind, table, where):
 
 
 def from_table(table, where):
-    """The assignment of a table as TOML or JSON give it. Points must add up; ids must be unique."""
+    """Makes an Assignment from a table read from TOML or JSON. Raises BadInput for wrong keys or points that do not add up."""
     exercises = []
     for entry in table.get("exercise", []):
-        checks = [made(Check, check, f"{where}: check '{check.get('id', '?')}'") for check in entry.get("check", [])]
-        exercise = made(Exercise, entry | {"check": checks}, f"{where}: exercise '{entry.get('id', '?')}'")
+        checks = [dataclass_from(Check, check, f"{where}: check '{check.get('id', '?')}'") for check in entry.get("check", [])]
+        exercise = dataclass_from(Exercise, entry | {"check": checks}, f"{where}: exercise '{entry.get('id', '?')}'")
         unknown = set(exercise.builds_on) - {earlier.id for earlier in exercises}
         if unknown:
-            raise BadInput(f"{where}: exercise '{exercise.id}' builds on '{unknown.pop()}', which is no earlier exercise")
+            raise BadInput(f"{where}: exercise '{exercise.id}' builds on '{unknown.pop()}', which is not an earlier exercise")
         exercises.append(exercise)
-    limits = made(Limits, table.get("limits", {}), f"{where}: limits")
-    assignment = made(Assignment, table | {"exercise": exercises, "limits": limits}, where)
+    limits = dataclass_from(Limits, table.get("limits", {}), f"{where}: limits")
+    assignment = dataclass_from(Assignment, table | {"exercise": exercises, "limits": limits}, where)
     total = round(sum(exercise.points for exercise in exercises), 2)
     if total != assignment.points:
-        raise BadInput(f"{where}: the checks have {total:g} points together, not {assignment.points:g}")
+        raise BadInput(f"{where}: the points of all checks add up to {total:g}, not {assignment.points:g}")
     return assignment
 
 
 def read_toml(file):
-    """The table of a TOML file. (Python 3.10, on Gradescope, has no tomllib; there is no TOML either.)"""
-    import tomllib
+    """Reads a TOML file."""
+    import tomllib  # not at the top, because Python 3.10 on Gradescope does not have it
     try:
         return tomllib.loads(Path(file).read_text(encoding="utf-8"))
     except OSError as error:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compiles a student's files, each by itself, and links a program for each exercise.
+"""Compiles each of a student's files separately, and links one program per exercise.
 
-A file that does not compile or link is replaced by its stub. The program of an exercise holds the student's files for it and
-for earlier exercises that it builds on or calls, and stubs for all others. So a mistake costs its own exercise.
+A file that does not compile or link is replaced by its stub. The program of an exercise contains the student's files for this
+exercise and for the earlier exercises that it builds on or calls, and stubs for all others. So a mistake costs only its own
+exercise.
 
-What was made is kept in a store, a folder for each result, named by a hash of what it was made from.
+Results are cached in a store: one folder per result, named by a hash of its inputs.
 """
 import hashlib
 import os
@@ -17,12 +18,12 @@ from pathlib import Path
 
 from errors import ToolFailure
 
-# Within a limit of memory g++ collects its garbage so often that Eigen takes half as long again, unless it has a heap of 200 MB.
+# Under a memory limit g++ collects garbage so often that Eigen takes 50 % longer to compile, unless its heap may grow to 200 MB.
 FLAGS = ["-std=c++20", "-O2", "-pipe", "--param=ggc-min-heapsize=200000", "-I/usr/include/eigen3", "-fmax-errors=10",
          "-ftemplate-backtrace-limit=4"]
 LIBRARIES = ["-lgsl", "-lgslcblas", "-lm"]
 LINK_SECONDS = 5
-MAX_MESSAGE = 3000  # characters that a student is shown
+MAX_MESSAGE = 3000  # characters of a compiler error in the feedback
 
 
 def hash_of(*parts):
@@ -34,7 +35,7 @@ def hash_of(*parts):
 
 
 def write(files, folder):
-    """Writes {name: text or bytes} below a folder."""
+    """Writes files, {name: text or bytes}, to a folder."""
     for name, content in files.items():
         path = Path(folder, name)
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -42,7 +43,7 @@ def write(files, folder):
 
 
 class Kit:
-    """What students do not write, compiled once: the code of the handout, a stub for each exercise, and all else."""
+    """The code of the handout, compiled once: the stub of each exercise, and the provided files."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -51,8 +52,8 @@ class Kit:
         self.given = sorted(path.name for path in self.folder.glob("given-*.o"))
 
     @classmethod
-    def made(cls, folder, assignment, handout, jobs, progress=lambda what, done, total: None):
-        """The kit in this folder, made anew unless it is that of the handout, {name: text}."""
+    def compiled(cls, folder, assignment, handout, jobs, progress=lambda what, done, total: None):
+        """Returns the kit in this folder. Compiles it first unless it was made from the same handout, {name: text}."""
         code = {name: text for name, text in sorted(handout.items()) if name.endswith((".cpp", ".hpp"))}
         compiler = subprocess.run(["g++", "--version"], capture_output=True, check=False).stdout
         key = hash_of(compiler, FLAGS, code)
@@ -83,22 +84,22 @@ class Kit:
 
 @dataclass
 class Built:
-    programs: dict = field(default_factory=dict)  # {exercise's id: the folder that holds `program`}
-    errors: dict = field(default_factory=dict)  # {exercise's id: why its file was left out}
-    seconds: float = 0  # that it took
+    programs: dict = field(default_factory=dict)  # {exercise id: the folder that contains `program`}
+    errors: dict = field(default_factory=dict)  # {exercise id: why its file was left out}
+    seconds: float = 0  # time spent on compiling and linking
 
 
 class Builder:
     def __init__(self, assignment, kit, sandbox, store):
         self.assignment, self.kit, self.sandbox, self.store = assignment, kit, sandbox, Path(store)
-        self.used = set()  # what of the store was asked for
+        self.used = set()  # names of the results in the store that were used
 
     def build(self, files):
-        """Builds the programs of all exercises from {name: bytes}."""
+        """Builds the programs of all exercises from a submission's files, {name: bytes}."""
         built, objects, undefined, defined = Built(), {}, {}, {}
         for exercise in self.assignment.exercise:
             if exercise.file not in files:
-                built.errors[exercise.id] = f"{exercise.file} was not handed in"
+                built.errors[exercise.id] = f"{exercise.file} was not submitted"
                 continue
             folder = self.compile(exercise, files[exercise.file], built)
             if exercise.id not in built.errors:
@@ -122,35 +123,35 @@ class Builder:
         return built
 
     def compile(self, exercise, text, built):
-        """Compiles a file. The folder has object.o, and the names that it defines or needs."""
+        """Compiles one file. Returns the folder with object.o and `symbols`, the list of names that it defines or needs."""
         left = self.assignment.limits.submission_seconds / 2 - built.seconds
         most = self.assignment.limits.compile_seconds
         seconds = int(max(0.4 * most, min(most, left)))
         includes = [f"-I{self.sandbox.kit}/{name}" for name in ("src", "provided")]
         words = ["g++", *FLAGS, *includes, "-c", exercise.file, "-o", "object.o"]
         script = '"$@" && nm --extern-only --format=posix object.o > symbols'
-        return self.made({exercise.file: text}, ["sh", "-c", script, "sh", *words], seconds, exercise, built)
+        return self.run_job({exercise.file: text}, ["sh", "-c", script, "sh", *words], seconds, exercise, built)
 
     def link(self, own, exercise, built):
-        """Links the program of an exercise from these objects, {exercise's id: file}, and stubs for all others."""
+        """Links the program of an exercise from these objects, {exercise id: file}, and stubs for all other exercises."""
         inputs, objects = {}, []
         for other in self.assignment.exercise:
             if other.id in own:
                 inputs[f"{other.id}.o"] = own[other.id].read_bytes()
             objects.append(f"{other.id}.o" if other.id in own else f"{self.sandbox.kit}/stub-{other.id}.o")
         given = [f"{self.sandbox.kit}/{name}" for name in self.kit.given]
-        folder = self.made(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
+        folder = self.run_job(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
         if exercise.id in built.errors:
             built.errors[exercise.id] = f"{exercise.file} does not link:\n{built.errors[exercise.id]}"
         return folder
 
-    def made(self, inputs, words, seconds, exercise, built):
-        """The folder in which a job was done on the inputs, now or before. If it failed, the exercise has an error."""
+    def run_job(self, inputs, words, seconds, exercise, built):
+        """Returns the folder with a job's result. Runs the job unless the store has it. Records a failure in built.errors."""
         key = hash_of(self.kit.key, [word.replace(self.sandbox.kit, "KIT") for word in words], inputs)
         folder = self.store / key
         self.used.add(key)
         if not folder.exists():
-            # The job may write to its folder, and not to the one above, which holds what was made from others.
+            # The job may write to its own folder, but not to the store, which holds the results of other jobs.
             new = Path(tempfile.mkdtemp(prefix=".", dir=self.store))
             write(inputs, new)
             os.chmod(new, 0o777)
@@ -163,23 +164,23 @@ class Builder:
                 write({"error": self.message(ended.text, seconds)}, new)
             try:
                 new.rename(folder)
-            except OSError:  # the same was made elsewhere meanwhile
+            except OSError:  # a different thread has stored the same result meanwhile
                 shutil.rmtree(new)
         if (folder / "error").exists():
             built.errors[exercise.id] = (folder / "error").read_text(encoding="utf-8")
         return folder
 
     def message(self, text, seconds):
-        """What the student is told of a compiler or linker that failed with this text."""
+        """Returns the message for the student when the compiler or linker failed with this text."""
         lines = text.replace(f"{self.sandbox.kit}/", "").splitlines()
-        text = plain("\n".join(line for line in lines if not line.startswith("                 from ")))[:MAX_MESSAGE].strip()
+        text = printable("\n".join(line for line in lines if not line.startswith("                 from ")))[:MAX_MESSAGE].strip()
         if not text or "CPU time limit exceeded" in text or "Killed" in text:
-            return f"it takes more than {seconds} s, or too much memory, to compile"
+            return f"compiling takes more than {seconds} s or too much memory"
         if "No such file or directory" in text and '#include "' in text:
-            text += "\nOnly the exercises' own files are taken; what is in a different file of yours must be in them."
+            text += "\nOnly the files of the exercises are graded; move your code from other files into them."
         return text
 
 
-def plain(text):
-    """A text of foreign origin without characters that control a terminal or turn its direction."""
+def printable(text):
+    """Replaces characters that control a terminal or reverse the direction of text."""
     return "".join(c if c in "\n\t" or c.isprintable() else "?" for c in text)

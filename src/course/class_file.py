@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fills the marks into the file that Moodle (its grading worksheet, in any language) or Canvas (its gradebook) exported.
+"""Fills marks into the file that Moodle (grading worksheet, in any language) or Canvas (gradebook) exported.
 
-Moodle's headings are translated, so its columns are known by what they hold: the first one ends in each student's number,
-and the mark is before the column in which each line has the same maximum. Everything else in the file stays as it is.
+Moodle translates its headings, so the columns are found by their contents: cells of the first column end in the student's
+number, and the column of marks precedes the column in which all rows have the same maximum. Nothing else in the file changes.
 """
 import csv
 import io
@@ -12,7 +12,7 @@ from pathlib import Path
 from errors import BadInput
 
 BYTE_ORDER_MARK = "\ufeff"
-CHOOSE = "--column \"name\" says which to fill"
+CHOOSE = "choose one with --column NAME"
 
 
 class ClassFile:
@@ -31,7 +31,7 @@ class ClassFile:
         elif rows and all(re.fullmatch(r"\D+\d+", row[0]) for row in rows):
             self.read_moodle(head, rows, column)
         else:
-            raise self.error("this is neither a grading worksheet of Moodle nor a gradebook of Canvas")
+            raise self.error("this is neither a Moodle grading worksheet nor a Canvas gradebook")
 
     def error(self, text):
         return BadInput(f"{self.path}: {text}")
@@ -40,7 +40,7 @@ class ClassFile:
         begin = f"{self.assignment.title} ("
         fitting = [i for i, name in enumerate(head) if name == column or (not column and name.startswith(begin))]
         if len(fitting) != 1:
-            raise self.error(f"{len(fitting)} columns are named '{column or begin + '…)'}'; {CHOOSE}")
+            raise self.error(f"{len(fitting) or 'no'} columns are named '{column or begin + '…)'}'; {CHOOSE}")
         self.column = fitting[0]
         self.students = {row[1]: row for row in rows if row[1].isdigit()}
         self.require_maximum(next((row[self.column] for row in rows if "Points Possible" in row[0]), ""))
@@ -51,7 +51,7 @@ class ClassFile:
         if column:
             maxima = [head.index(column) + 1] if column in head[:-1] else []
         if not maxima:
-            raise self.error(f"there is no column of marks before one with the maximum mark; {CHOOSE}")
+            raise self.error(f"no column of marks precedes a column with the maximum mark; {CHOOSE}")
         self.column = maxima[0] - 1
         maximum = rows[0][maxima[0]]
         self.decimal = "," if "," in maximum else "."
@@ -61,20 +61,20 @@ class ClassFile:
     def require_maximum(self, text):
         number = re.fullmatch(r"\s*(\d+)(?:[.,](\d+))?\s*", text)
         if number and float(f"{number[1]}.{number[2] or 0}") != self.assignment.points:
-            raise self.error(f"its maximum mark is {text.strip()}, and the assignment has {self.assignment.points:g} points; "
+            raise self.error(f"the maximum mark is {text.strip()}, but the assignment has {self.assignment.points:g} points; "
                              "change one of them")
 
     def row_of(self, id):
-        """The line of a student: by the number that the system gives, or by a cell that holds the id in no other line."""
+        """Finds the row of a student: by the system's number, or by a cell equal to the id if only one row has such a cell."""
         if id in self.students:
             return self.students[id]
         having = [row for row in self.students.values() if id.lower() in (cell.strip().lower() for cell in row)]
         if len(having) != 1:
-            raise self.error(f"the id '{id}' is in {len(having)} lines, not in one")
+            raise self.error(f"the id '{id}' is in {len(having)} rows instead of one")
         return having[0]
 
     def filled(self, marks):
-        """The file's text with these marks, {id: points}. Lines of others keep what they have."""
+        """Returns the text of the file with these marks, {id: points}. All other rows stay as they are."""
         for id, points in marks.items():
             self.row_of(id)[self.column] = f"{points:.2f}".replace(".", self.decimal)
         text = io.StringIO()

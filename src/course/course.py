@@ -11,6 +11,7 @@ import signal
 import sys
 import tempfile
 import time
+import zipfile
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
@@ -34,11 +35,11 @@ EXAMPLES = """examples:
   course.py grade submissions.zip --class marks.csv    build/grades.csv, build/marks.csv, build/grades/ID/feedback.txt
   course.py gradescope                                 build/gradescope.zip
 
-exit codes: 0 done, 1 a claim does not hold or something was not graded, 2 bad input, 3 a tool failed"""
+exit codes: 0 success, 1 a claim does not hold or a submission was not graded, 2 bad input, 3 a tool failed"""
 
 
 class Progress:
-    """Counts on standard error: when something long begins, and from then on once a second."""
+    """Prints a count on standard error: at the beginning of a long step, then at most once a second."""
 
     def __init__(self):
         self.latest = time.monotonic()
@@ -51,7 +52,7 @@ class Progress:
 
 
 class Course:
-    """What all commands need: the assignment, the students' project, and where things are built."""
+    """What all commands use: the assignment, the students' project, and the folders for results."""
 
     def __init__(self, options):
         self.folder = options.assignment
@@ -65,8 +66,8 @@ class Course:
         self.progress = Progress()
 
     def require_salt(self):
-        if not self.salt_file.exists():
-            raise BadInput(f"{self.salt_file}: there is no salt for the hidden checks; prove writes one")
+        if not self.salt_file.exists() or not self.salt_file.read_bytes():
+            raise BadInput(f"{self.salt_file}: there is no salt for the hidden checks; \"prove\" writes one")
 
     def secrets(self):
         checks = [*ROOT.glob("src/assignment/hidden/*.?pp"), *ROOT.glob("src/assignment/exercises/*.?pp")]
@@ -78,11 +79,11 @@ def prove(options):
     course = Course(options)
     output = options.output or course.build / "handout"
     if output.exists() and not (output / "src").is_dir() and any(output.iterdir()):
-        raise BadInput(f"{output}: this folder does not hold a handout; nothing was written")
+        raise BadInput(f"{output}: this folder does not contain a handout; nothing was written")
     if not course.salt_file.exists():
         course.salt_file.write_text(secrets.token_hex(16) + "\n", encoding="utf-8")
         course.salt_file.chmod(0o600)
-        print(f"{course.salt_file}: a new salt for the hidden checks; keep it, and keep it secret")
+        print(f"{course.salt_file}: a new salt for the hidden checks; keep this file, and keep it secret")
     judge = Judge(course.judge_file, course.salt_file)
     course.work.mkdir(parents=True, exist_ok=True)
     proof = Proof(course.assignment, course.folder, course.project, judge, SANDBOXES[options.sandbox], course.work, options.jobs,
@@ -105,24 +106,24 @@ def grade(options):
     output = options.output or course.build / "grades"
     for entry in sorted(output.iterdir()) if output.exists() else []:
         if not (entry / "feedback.txt").exists():
-            raise BadInput(f"{output}: this folder holds something other than grades, '{entry.name}'; nothing was written")
+            raise BadInput(f"{output}: this folder contains '{entry.name}', which is not a grade; nothing was written")
     class_file = ClassFile(options.class_file, course.assignment, options.column) if options.class_file else None
     filled = course.build / options.class_file.name if class_file else None
     if class_file and filled == options.class_file.resolve():
-        raise BadInput(f"{filled}: the filled file would replace this one; move it")
+        raise BadInput(f"{filled}: the filled file would replace this one; move it to a different folder")
 
-    taken, problems = take(options.submissions, course.assignment)
-    for id in taken if class_file else []:
+    submitted, problems = read_submissions(options.submissions, course.assignment)
+    for id in submitted if class_file else []:
         class_file.row_of(id)
     for id, problem in problems.items():
         print(f"{id}: not graded: {problem}", file=sys.stderr)
-    if not taken:
-        raise BadInput(f"{options.submissions}: nothing can be graded; nothing was written")
+    if not submitted:
+        raise BadInput(f"{options.submissions}: no submission can be graded; nothing was written")
     proved = course.work / "proved.json"
     if not proved.exists() or json.loads(proved.read_text())["salt"] != hash_of(course.salt_file.read_bytes()):
-        print("note: the handout was not proved here with this salt; a class must be graded with one salt", file=sys.stderr)
+        print("note: the handout was not proved here with this salt; grade the whole class with the same salt", file=sys.stderr)
 
-    for id, graded in grade_all(course, options, taken):
+    for id, graded in grade_all(course, options, submitted):
         if isinstance(graded, Exception):
             problems[id] = f"the grader failed: {graded}"
             print(f"{id}: not graded: {problems[id]}", file=sys.stderr)
@@ -137,29 +138,29 @@ def grade(options):
     written = [output, beside(output, ".csv")]
     if class_file:
         written.append(filled)
-        new_marks = {id: marks[id] for id in taken if id not in problems}
+        new_marks = {id: marks[id] for id in submitted if id not in problems}
         filled.write_text(class_file.filled(new_marks), encoding="utf-8", newline="")
-    n_handed_in = len(taken.keys() | problems.keys())
-    print(f"{n_handed_in - len(problems)} of {n_handed_in} submissions were graded", *map(os.path.relpath, written), sep="\n")
+    n_submissions = len(submitted.keys() | problems.keys())
+    print(f"{n_submissions - len(problems)} of {n_submissions} submissions were graded", *map(os.path.relpath, written), sep="\n")
     return 1 if problems else 0
 
 
-def take(source, assignment):
-    """The files of each submission, {id: {name: bytes}}, and why there are none, {id: reason}."""
-    taken, problems = {}, {}
+def read_submissions(source, assignment):
+    """Returns the files of each submission, {id: {name: bytes}}, and why a submission cannot be graded, {id: reason}."""
+    submitted, problems = {}, {}
     for submission in submissions_in(source):
         try:
-            taken[submission.id] = submission.take(assignment)
+            submitted[submission.id] = submission.read_files(assignment)
         except Unusable as error:
             problems[submission.id] = str(error)
-    return taken, problems
+    return submitted, problems
 
 
-def grade_all(course, options, taken):
-    """Grades submissions, several at a time; yields each id with what it got, or with the error of the grader."""
+def grade_all(course, options, submitted):
+    """Grades submissions in parallel. Yields each id with its Graded, or with the exception that the grader raised."""
     judge = Judge(course.judge_file, course.salt_file)
     course.work.mkdir(parents=True, exist_ok=True)
-    kit = Kit.made(course.work / "kit", course.assignment, course.handout, options.jobs, course.progress)
+    kit = Kit.compiled(course.work / "kit", course.assignment, course.handout, options.jobs, course.progress)
     sandbox_class = SANDBOXES[options.sandbox]
     sandbox_class(kit.folder, course.assignment.limits).require()
 
@@ -167,13 +168,13 @@ def grade_all(course, options, taken):
         with tempfile.TemporaryDirectory(dir=options.scratch, ignore_cleanup_errors=True) as store:
             os.chmod(store, 0o755)
             sandbox = sandbox_class(kit.folder, course.assignment.limits)
-            return Grader(course.assignment, kit, sandbox, judge, store).grade(taken[id], id)
+            return Grader(course.assignment, kit, sandbox, judge, store).grade(submitted[id], id)
 
-    course.progress("graded", 0, len(taken))
+    course.progress("graded", 0, len(submitted))
     with ThreadPoolExecutor(options.jobs) as pool:
-        waiting = {pool.submit(grade_one, id): id for id in taken}
+        waiting = {pool.submit(grade_one, id): id for id in submitted}
         for number, future in enumerate(as_completed(waiting), 1):
-            course.progress("graded", number, len(taken))
+            course.progress("graded", number, len(submitted))
             yield waiting[future], future.exception() or future.result()
 
 
@@ -182,7 +183,7 @@ def beside(folder, ending):
 
 
 def replace_folder(folder, files):
-    """Writes the files to a folder, in place of what it held."""
+    """Replaces a folder by one with these files."""
     new = folder.with_name(f".{folder.name}.new")
     shutil.rmtree(new, ignore_errors=True)
     write(files, new)
@@ -191,7 +192,7 @@ def replace_folder(folder, files):
 
 
 def write_table(assignment, output):
-    """Writes the points of all who have a folder to a table beside the folders, and returns them, {id: points or None}."""
+    """Writes the points of each student with a folder to a table beside the folders. Returns them, {id: points or None}."""
     marks = {}
     new = beside(output, ".csv.new")
     with open(new, "w", encoding="utf-8", newline="") as file:
@@ -212,32 +213,40 @@ def pack_for_gradescope(options):
     course = Course(options)
     course.require_salt()
     output = options.output or course.build / "gradescope.zip"
+    if output.exists() and not zipfile.is_zipfile(output):
+        raise BadInput(f"{output}: this is not a zip; nothing was written")
     judge = Judge(course.judge_file.with_name(course.judge_file.name + "-static"), course.salt_file)
     output.parent.mkdir(parents=True, exist_ok=True)
     write_zip(gradescope.files(course.assignment, course.handout, judge), output)
     print(f"{os.path.relpath(output)}\n"
-          "Upload it as the autograder, with the default base image. It holds the salt: give it to nobody else.")
+          "Upload it as the autograder, with the default base image. It contains the salt: give it to nobody else.")
     return 0
+
+
+def number_of_jobs(text):
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of jobs")
+    return int(text)
 
 
 def parser():
     shared = argparse.ArgumentParser(add_help=False)
     shared.add_argument("--assignment", type=Path, default=ROOT / "report/assignment", metavar="FOLDER",
-                        help="the assignment (report/assignment)")
-    shared.add_argument("--build", type=Path, default=ROOT / "build", metavar="FOLDER", help="where to build (build)")
+                        help="folder of the assignment (report/assignment)")
+    shared.add_argument("--build", type=Path, default=ROOT / "build", metavar="FOLDER", help="folder for results (build)")
     shared.add_argument("--judge", type=Path, default=ROOT / "build/release/halfspace-judge", metavar="PROGRAM",
                         help="the compiled judge")
     shared.add_argument("--salt-file", type=Path, default=ROOT / "salt.txt", metavar="FILE",
-                        help="from which hidden checks draw their numbers (salt.txt)")
+                        help="the salt, which determines the numbers of the hidden checks (salt.txt)")
     shared.add_argument("--output", type=Path, metavar="PATH", help="where to write the result")
     jobs = argparse.ArgumentParser(add_help=False)
-    jobs.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="how many at a time (one for each processor)")
+    jobs.add_argument("--jobs", type=number_of_jobs, default=os.cpu_count(), metavar="N", help="number of parallel jobs (one per processor)")
     jobs.add_argument("--sandbox", choices=SANDBOXES, default="bubblewrap",
-                      help="'user' is for root in a container that holds nothing else")
+                      help="'user' is for root in a container that contains nothing else")
 
     commands = argparse.ArgumentParser(description=__doc__, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
     chosen = commands.add_subparsers(required=True, metavar="COMMAND")
-    command = chosen.add_parser("prove", parents=[shared, jobs], help="write the handout and prove that it is right",
+    command = chosen.add_parser("prove", parents=[shared, jobs], help="write the handout and prove that it is correct",
                                 epilog="example: course.py prove --update, then git diff")
     command.add_argument("--update", action="store_true", help="write the points that the wrong solutions score into their list")
     command.set_defaults(run=prove)
@@ -245,8 +254,8 @@ def parser():
                                 epilog="example: course.py grade submissions.zip --class worksheet.csv --jobs 4")
     command.add_argument("submissions", type=Path, help="a folder of folders or zips, or the zip that Moodle or Canvas gives")
     command.add_argument("--class", dest="class_file", type=Path, metavar="FILE",
-                         help="the worksheet of Moodle or gradebook of Canvas to fill")
-    command.add_argument("--column", metavar="NAME", help="which of its columns to fill, if that is not clear")
+                         help="the Moodle worksheet or Canvas gradebook to fill")
+    command.add_argument("--column", metavar="NAME", help="the column to fill, if there are several candidates")
     command.set_defaults(run=grade)
     command = chosen.add_parser("gradescope", parents=[shared], help="pack a grader for Gradescope",
                                 epilog="example: course.py gradescope --output autograder.zip")
@@ -264,13 +273,16 @@ def main():
             try:
                 return options.run(options)
             except KeyboardInterrupt:
-                # Jobs end with this process; it must not wait for the threads that wait for them.
+                # The jobs end with this process. Do not wait for the threads, which wait for the jobs.
                 shutil.rmtree(options.scratch, ignore_errors=True)
-                print("interrupted; what was finished stays", file=sys.stderr)
+                print("interrupted; finished results are kept", file=sys.stderr)
                 os._exit(130)
     except (BadInput, ToolFailure, Disproved) as error:
         print(error, file=sys.stderr)
         return {BadInput: 2, ToolFailure: 3, Disproved: 1}[type(error)]
+    except OSError as error:  # a file or folder of the user cannot be read or written
+        print(f"{error.filename}: {error.strerror}", file=sys.stderr)
+        return 2
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The grader on Gradescope: what its zip holds, and what runs there (Python 3.10).
+"""The grader on Gradescope: makes its zip, and runs there (with Python 3.10).
 
-Gradescope unpacks the zip in /autograder/source, runs setup.sh once, as root, and run_autograder for each submission. A
-submission runs as a user who can read neither the judge nor the salt, nor write results.
+Gradescope unpacks the zip in /autograder/source, runs setup.sh once as root, and runs run_autograder for each submission. A
+submission runs as a user who can neither read the judge and the salt nor write results.
 """
 import dataclasses
 import json
@@ -28,7 +28,7 @@ set -eu
 cd "$(dirname "$0")"
 apt-get update
 DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends g++ libeigen3-dev libgsl-dev python3
-[ "$(uname -m)" = x86_64 ] || { echo 'setup.sh: the judge is for x86-64' >&2; exit 3; }
+[ "$(uname -m)" = x86_64 ] || { echo 'setup.sh: the judge runs on x86-64 only' >&2; exit 3; }
 python3 course/gradescope.py setup
 """
 RUN = """#!/bin/sh
@@ -38,7 +38,7 @@ exec python3 /autograder/source/course/gradescope.py grade
 
 
 def files(assignment, handout, judge):
-    """{name: text or bytes} of the zip."""
+    """Returns the files of the zip, {name: text or bytes}."""
     return {"setup.sh": SETUP, "run_autograder": RUN,
             **{f"course/{name}.py": (HERE / f"{name}.py").read_text(encoding="utf-8") for name in MODULES},
             "assignment.json": json.dumps(dataclasses.asdict(assignment)),
@@ -51,16 +51,16 @@ def read_assignment(source):
 
 
 def setup(source):
-    """Compiles the kit, which submissions may read; everything else here they may not."""
+    """Compiles the kit, which submissions may read. They may read nothing else."""
     handout = source / "handout"
     texts = {path.relative_to(handout).as_posix(): path.read_text(encoding="utf-8") for path in handout.rglob("*.?pp")}
-    Kit.made(AUTOGRADER / "kit", read_assignment(source), texts, os.cpu_count())
+    Kit.compiled(AUTOGRADER / "kit", read_assignment(source), texts, os.cpu_count())
     os.chmod(source / "judge", 0o700)
     os.chmod(source, 0o700)
 
 
 def grade(source):
-    """Grades /autograder/submission. If the grader itself fails there are no results, and so no points of zero."""
+    """Grades /autograder/submission. If the grader itself fails, it writes no results, so that nobody gets zero points."""
     results = AUTOGRADER / "results"
     os.chmod(source, 0o700)
     os.chmod(results, 0o700)
@@ -71,14 +71,14 @@ def grade(source):
     sandbox = User(kit.folder, assignment.limits)
     sandbox.require()
     try:
-        handed_in = Submission(student, folder_members(AUTOGRADER / "submission")).take(assignment)
+        submitted = Submission(student, folder_members(AUTOGRADER / "submission")).read_files(assignment)
     except Unusable as error:
         found = {"score": 0, "output": f"Nothing can be graded: {error}"}
     else:
         with tempfile.TemporaryDirectory() as store:
             os.chmod(store, 0o755)
-            graded = Grader(assignment, kit, sandbox, Judge(source / "judge", source / "salt"), store).grade(handed_in, student)
-        print(teacher_text(graded))  # Gradescope shows it to the teacher alone
+            graded = Grader(assignment, kit, sandbox, Judge(source / "judge", source / "salt"), store).grade(submitted, student)
+        print(teacher_text(graded))  # Gradescope shows standard output to the teacher only
         found = results_json(assignment, graded)
     (results / "results.json").write_text(json.dumps(found), encoding="utf-8")
 

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From a submission's files to points: the judge asks the program of each exercise, public checks first, then hidden ones.
+"""Grades a submission: the judge runs the public checks and then the hidden checks on the program of each exercise.
 
-A public check gives at most the share of its points that the hidden checks of its exercise reach, since numbers that agree
-with nothing but each other pass most public checks.
+Numbers that are merely consistent with each other pass most public checks. So a public check earns at most the fraction of
+its points that the hidden checks of its exercise earn.
 """
 import json
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from build import Builder, hash_of, plain
+from build import Builder, hash_of, printable
 from errors import BadInput, ToolFailure
 
 
@@ -17,7 +17,7 @@ from errors import BadInput, ToolFailure
 class Result:
     check: object
     points: float
-    message: str  # of a hidden check it is for the teacher alone
+    message: str  # the message of a hidden check is for the teacher only
 
 
 @dataclass
@@ -31,19 +31,19 @@ class Graded:
 
 
 class Judge:
-    """The judge's program, and the salt from which the hidden checks draw their numbers."""
+    """The judge's program, and the salt that determines the numbers of the hidden checks."""
 
     def __init__(self, program, salt_file=None):
         self.program, self.salt_file = Path(program).resolve(), salt_file
         if not self.program.exists():
-            raise ToolFailure(f"there is no {program}; \"make course DO=…\" compiles it")
+            raise ToolFailure(f"{program} does not exist; \"make course DO=…\" compiles it")
         self.key = hash_of(self.program.read_bytes(), Path(salt_file).read_bytes() if salt_file else "")
 
     def numbers(self, student=""):
         return [line.split() for line in self.call("--numbers", "--student", student).splitlines()]
 
     def call(self, *words):
-        # It ends with this process, and the student's program with it.
+        # The judge must end when this process ends; the student's program then ends too.
         command = ["setpriv", "--pdeathsig", "KILL", self.program, *words]
         done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
         if done.returncode != 0:
@@ -51,28 +51,28 @@ class Judge:
         return done.stdout
 
     def ask(self, exercise, visibility, student, allowance, command):
-        """{check's id: (share, message)}, the seconds lost in questions without an answer, and the number of answers."""
+        """Returns {check id: (share, message)}, the seconds that the answers took, and their number."""
         salt = ["--salt-file", str(self.salt_file)] if self.salt_file else []
         rows = self.call("--exercise", exercise.id, f"--{visibility}", "--student", student, *salt,
                          "--allowance", f"{allowance:.3f}", "--", *command).splitlines()
-        _, lost, answers = rows.pop().split("\t")
+        _, seconds, answers = rows.pop().split("\t")
         outcomes = {id: (float(share), message) for id, share, message in (row.split("\t") for row in rows)}
         listed = {check.id for check in exercise.check if check.visibility == visibility}
         for id in sorted(listed ^ outcomes.keys()):
-            problem = "has no code" if id in listed else "is not listed"
+            problem = "has no code" if id in listed else "is not listed in assignment.toml"
             raise BadInput(f"the {visibility} check '{id}' of exercise '{exercise.id}' {problem}")
-        return outcomes, float(lost), int(answers)
+        return outcomes, float(seconds), int(answers)
 
 
 class Grader:
-    """Grades submissions. What is built and asked is in a store, which a proof keeps and grading throws away."""
+    """Grades submissions. A store caches programs and outcomes: a proof keeps it, and grading deletes it."""
 
     def __init__(self, assignment, kit, sandbox, judge, store):
         self.assignment, self.sandbox, self.judge = assignment, sandbox, judge
         self.builder = Builder(assignment, kit, sandbox, store)
 
     def grade(self, files, student=""):
-        """The results for {name: bytes}, with the numbers that belong to the student's id."""
+        """Grades a submission's files, {name: bytes}, with the numbers that follow from the student's id."""
         built = self.builder.build(files)
         allowance = self.assignment.limits.submission_seconds - built.seconds
         graded = Graded([], {})
@@ -83,14 +83,14 @@ class Grader:
             else:
                 outcomes = {}
                 for visibility in ("public", "hidden"):
-                    asked, lost, _ = self.asked(exercise, visibility, student, allowance, built.programs[exercise.id])
+                    asked, seconds, _ = self.outcomes_of(exercise, visibility, student, allowance, built.programs[exercise.id])
                     outcomes |= asked
-                    allowance -= lost
+                    allowance -= seconds
             graded.results += capped(exercise, outcomes)
         return graded
 
-    def asked(self, exercise, visibility, student, allowance, folder):
-        """What the judge says of the program in a folder, now or before."""
+    def outcomes_of(self, exercise, visibility, student, allowance, folder):
+        """Returns what Judge.ask returns for the program in a folder. Runs the judge unless the store has the outcome."""
         key = hash_of(self.judge.key, exercise, visibility, student if visibility == "public" else "", folder.name)
         file = self.builder.store / f"{key}.json"
         self.builder.used.add(file.name)
@@ -102,13 +102,13 @@ class Grader:
         finally:
             self.sandbox.clean()
         if answer[2] == 0:
-            self.sandbox.require()  # one that fails must not cost points
+            self.sandbox.require()  # a sandbox that fails must not cost points
         file.write_text(json.dumps(answer), encoding="utf-8")
         return answer
 
 
 def capped(exercise, outcomes):
-    """The results of an exercise's checks, in hundredths of a point, from {check's id: (share, message)}."""
+    """Computes the points of an exercise's checks from {check id: (share, message)}, rounded to hundredths."""
     def in_hundredths(points):
         return round(points + 1e-9, 2)
 
@@ -121,23 +121,23 @@ def capped(exercise, outcomes):
     for result in results:
         most = in_hundredths(reached * result.check.points)
         if result.check.is_public and result.points > most:
-            note = (f"{result.points:g} of {result.check.points:g} points, but it counts only as far as the hidden checks of the "
-                    "exercise hold")
+            note = (f"{result.points:g} of {result.check.points:g} points, limited to the fraction that the hidden checks of this "
+                    "exercise earn")
             result.message = f"{result.message}; {note}" if result.message else note
             result.points = most
     return results
 
 
 def results_json(assignment, graded):
-    """The results in Gradescope's form. Of hidden checks students are told the points only."""
-    tests = [{"name": f"{result.check.id}: {result.check.says}", "score": result.points, "max_score": result.check.points,
+    """Returns the results in Gradescope's format. Of a hidden check, students see only the points."""
+    tests = [{"name": f"{result.check.id}: {result.check.description}", "score": result.points, "max_score": result.check.points,
               "output": result.message if result.check.is_public else "", "visibility": "visible"} for result in graded.results]
     output = "\n\n".join(graded.errors.values()) or f"{graded.points:g} of {assignment.points:g} points"
     return {"score": graded.points, "output": output, "stdout_visibility": "hidden", "tests": tests}
 
 
 def feedback_text(assignment, graded):
-    """The same for people to read."""
+    """Returns the same results as text."""
     lines = [f"{assignment.title}: {graded.points:g} of {assignment.points:g} points"]
     for exercise in assignment.exercise:
         results = [result for result in graded.results if result.check in exercise.check]
@@ -145,13 +145,13 @@ def feedback_text(assignment, graded):
         error = graded.errors.get(exercise.file, "")
         lines += [f"  {line}" for line in error.splitlines()]
         for result in results:
-            lines.append(f"  {result.points:g} of {result.check.points:g}  {result.check.says} ({result.check.id})")
+            lines.append(f"  {result.points:g} of {result.check.points:g}  {result.check.description} ({result.check.id})")
             if result.check.is_public and result.message and not error:
                 lines.append(f"      {result.message}")
-    return plain("\n".join(lines)) + "\n"
+    return printable("\n".join(lines)) + "\n"
 
 
 def teacher_text(graded):
-    """What the hidden checks found, for the teacher alone."""
+    """Returns the messages of the hidden checks, for the teacher only."""
     return "".join(f"{result.points:g} of {result.check.points:g}  {result.check.id}  {result.message}".rstrip() + "\n"
                    for result in graded.results if not result.check.is_public)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The handout and the proof of it: five claims, each of which is remembered as long as nothing that it rests on changes."""
+"""Proves five claims about the handout. A claim is proved again only when something that it depends on has changed."""
 import os
 import re
 import shutil
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import template
-from assignment import made, read_toml
+from assignment import dataclass_from, read_toml
 from build import Kit, hash_of, write
 from errors import BadInput, ToolFailure
 from grading import Grader, Judge
@@ -21,39 +21,39 @@ IDS = [f"student{number}" for number in range(1, 21)]
 
 @dataclass(frozen=True)
 class Wrong:
-    """The solution with one mistake, and the points that it must score."""
+    """The solution with a mistake, and the points that it must score."""
     id: str
-    says: str
+    description: str
     points: float
     change: list  # tables with file, before, after
 
 
 class Disproved(Exception):
-    """A claim does not hold; the message says why."""
+    """A claim does not hold; the message gives the reason."""
 
 
 def read_wrong_solutions(file, solution):
-    """The wrong solutions, as (Wrong, the files of the solution with its mistake)."""
+    """Reads the wrong solutions. Returns pairs of Wrong and the files of the solution with this mistake."""
     found = []
     for entry in read_toml(file).get("wrong", []):
         where = f"{file}: '{entry.get('id', '?')}'"
         if "file" in entry:
             entry["change"] = [{key: entry.pop(key, "") for key in ("file", "before", "after")}]
-        wrong = made(Wrong, entry, where)
+        wrong = dataclass_from(Wrong, entry, where)
         files = dict(solution)
         for change in wrong.change:
             name, before, after = change["file"], change["before"], change["after"]
             if name not in files:
-                raise BadInput(f"{where}: {name} is no file of the solution")
+                raise BadInput(f"{where}: {name} is not a file of the solution")
             if solution[name].count(before.encode()) != 1:
-                raise BadInput(f"{where}: 'before' is in {name} {solution[name].count(before.encode())} times, not once")
+                raise BadInput(f"{where}: 'before' occurs {solution[name].count(before.encode())} times in {name} instead of once")
             files[name] = files[name].replace(before.encode(), after.encode())
         found.append((wrong, files))
     return found
 
 
 def with_points(text, points):
-    """The text of the list with other points, {id: points}; the lines of code in it stay as they are."""
+    """Replaces the points in the text of the list by these, {id: points}. Everything else stays as it is."""
     parts = re.split(r"(?m)^(id = \"(.+)\"\n(?:.*\n)*?points = )([\d.]+)", text)
     for i in range(1, len(parts), 4):
         parts[i + 2] = f"{points[parts[i + 1]]:g}"
@@ -62,22 +62,23 @@ def with_points(text, points):
 
 
 class Proof:
-    """Proves that a handout is what it must be, and prints each claim that holds."""
+    """Proves the claims about a handout, and prints each claim that holds."""
 
     def __init__(self, assignment, folder, project, judge, sandbox_class, work, jobs, progress):
         self.assignment, self.folder, self.project, self.judge = assignment, Path(folder), project, judge
         self.jobs, self.progress = jobs, progress
+        self.wrong_solutions_file = self.folder / "wrong_solutions.toml"
         self.handout = {name: file.handout for name, file in project.items()}
         self.files = [exercise.file for exercise in assignment.exercise]
         self.store = work / "store"
         self.store.mkdir(parents=True, exist_ok=True)
-        self.kit = Kit.made(work / "kit", assignment, self.handout, jobs, progress)
+        self.kit = Kit.compiled(work / "kit", assignment, self.handout, jobs, progress)
         self.sandbox_class = sandbox_class
         sandbox_class(self.kit.folder, assignment.limits).require()
-        self.used = set()  # what of the store is asked for
+        self.used = set()  # names of the results in the store that were used
 
     def grade(self, files, student="", judge=None):
-        # A separate sandbox for each thread, since a sandbox remembers the user of its latest job.
+        # Each thread needs a separate sandbox, because a sandbox remembers the user of its latest job.
         sandbox = self.sandbox_class(self.kit.folder, self.assignment.limits)
         grader = Grader(self.assignment, self.kit, sandbox, judge or self.judge, self.store)
         graded = grader.grade(files, student)
@@ -85,7 +86,7 @@ class Proof:
         return graded
 
     def sheet(self, typeset):
-        """The sheet's PDF, typeset again if something that it is made of changed."""
+        """Returns the sheet as a PDF. Typesets it only if one of its inputs has changed."""
         sources = sorted([self.folder / "sheet.tex", *self.folder.glob("figures/*")])
         key = hash_of("sheet", self.assignment, self.judge.numbers(), *(path.read_bytes() for path in sources))
         path = self.store / f"{key}.pdf"
@@ -96,31 +97,32 @@ class Proof:
         return path.read_bytes()
 
     def prove(self, secrets, sheet_text, update):
-        """Proves the five claims in turn. Raises Disproved with the first that does not hold."""
+        """Proves the five claims in order. Raises Disproved for the first one that does not hold."""
+        solution = {name: self.project[name].solution.encode() for name in self.files}
+        wrong_solutions = read_wrong_solutions(self.wrong_solutions_file, solution)
         key = self.store / f"{hash_of('builds', self.kit.key, *self.handout.items())}.held"
         self.used.add(key.name)
         if not key.exists():
             self.builds()
             key.touch()
-        print("1. the handout builds without a warning, and ctest names every public check", flush=True)
+        print("1. the handout builds without warnings, and ctest lists every public check", flush=True)
 
         blank = self.grade({name: self.handout[name].encode() for name in self.files})
         if blank.points != 0 or blank.errors:
             raise Disproved(f"the untouched handout scores {blank.points:g} points, not 0 {first_error(blank)}")
         print("2. the untouched handout scores 0", flush=True)
 
-        solution = {name: self.project[name].solution.encode() for name in self.files}
         self.solution_scores_all(solution)
-        print(f"3. the solution scores all {self.assignment.points:g} points, with the nominal numbers and those of "
+        print(f"3. the solution scores all {self.assignment.points:g} points, with the nominal numbers and with those of "
               f"{len(IDS)} ids", flush=True)
 
-        n_wrong = self.wrong_solutions_score_as_listed(solution, update)
-        print(f"4. each of {n_wrong} wrong solutions scores what is listed", flush=True)
+        self.wrong_solutions_score_as_listed(wrong_solutions, update)
+        print(f"4. each of {len(wrong_solutions)} wrong solutions scores its listed points", flush=True)
 
         found = leaks({**self.handout, "sheet.pdf": sheet_text}, secrets)
         if found:
-            raise Disproved("the handout gives something away:\n" + "\n".join(found))
-        print("5. nothing secret is in any file", flush=True)
+            raise Disproved("the handout contains secrets:\n" + "\n".join(found))
+        print("5. no file contains a secret", flush=True)
         for path in self.store.iterdir():
             if path.name not in self.used:
                 shutil.rmtree(path) if path.is_dir() else path.unlink()
@@ -129,17 +131,17 @@ class Proof:
         with tempfile.TemporaryDirectory(prefix="course-") as work:
             write(self.handout, work)
             self.progress("building the handout", 0, 1)
-            said = run(["cmake", "-B", "build"], work) + run(["cmake", "--build", "build", "--parallel", str(self.jobs)], work)
-            if "warning" in said.lower():
-                raise Disproved(f"the handout builds with a warning:\n{said.strip()}")
+            output = run(["cmake", "-B", "build"], work) + run(["cmake", "--build", "build", "--parallel", str(self.jobs)], work)
+            if "warning" in output.lower():
+                raise Disproved(f"the handout builds with warnings:\n{output.strip()}")
             listed = run(["ctest", "--test-dir", "build", "--show-only"], work)
         for check in self.assignment.checks:
             if check.is_public and not re.search(rf": {re.escape(check.id)}$", listed, re.MULTILINE):
-                raise Disproved(f"ctest of the handout does not name the public check '{check.id}'")
+                raise Disproved(f"ctest of the handout does not list the public check '{check.id}'")
 
     def solution_scores_all(self, solution):
         students = ["", *IDS]
-        self.grade(solution)  # compiles it once
+        self.grade(solution)  # compiles the solution once, before the threads need it
         with ThreadPoolExecutor(self.jobs) as pool:
             for number, (student, graded) in enumerate(zip(students, pool.map(lambda id: self.grade(solution, id), students)), 1):
                 self.progress("trying ids", number, len(students))
@@ -149,10 +151,9 @@ class Proof:
                     raise Disproved(f"with the numbers of '{student}' the solution scores {graded.points:g} points "
                                     f"{first_error(graded)}\n" + "\n".join(lost))
 
-    def wrong_solutions_score_as_listed(self, solution, update):
-        file = self.folder / "wrong_solutions.toml"
-        listed = read_wrong_solutions(file, solution)
-        nominal = Judge(self.judge.program)  # the list holds for the nominal numbers, so that no salt changes it
+    def wrong_solutions_score_as_listed(self, listed, update):
+        file = self.wrong_solutions_file
+        nominal = Judge(self.judge.program)  # without the salt, so that the listed points are the same for every salt
         points = {}
         with ThreadPoolExecutor(self.jobs) as pool:
             all_graded = pool.map(lambda entry: self.grade(entry[1], judge=nominal), listed)
@@ -163,12 +164,11 @@ class Proof:
                 points[wrong.id] = graded.points
         if update:
             file.write_text(with_points(file.read_text(encoding="utf-8"), points), encoding="utf-8")
-            return len(listed)
-        differ = [f"'{wrong.id}' scores {points[wrong.id]:g} points, and {wrong.points:g} are listed"
+            return
+        differ = [f"'{wrong.id}' scores {points[wrong.id]:g} points instead of the listed {wrong.points:g}"
                   for wrong, _ in listed if points[wrong.id] != wrong.points]
         if differ:
-            raise Disproved(f"{file}: " + "; ".join(differ) + ". If that is right, prove --update writes it")
-        return len(listed)
+            raise Disproved(f"{file}: " + "; ".join(differ) + ". If these points are correct, \"prove --update\" writes them")
 
 
 def first_error(graded):
@@ -186,22 +186,22 @@ def run(words, folder):
 
 
 def secrets_of(assignment, project, hidden_sources, public_sources):
-    """{secret: where it is from}: lines of the solution, and of hidden checks their lines, ids and names of files. Lines of
-    hidden checks that public ones have too are not secret."""
+    """Returns {secret: its origin}. Secret are the lines of the solution, and the lines, ids and file names of hidden checks,
+    except lines that public checks contain as well."""
     public = squeezed(" ".join(template.read_text(path) for path in public_sources))
     secrets = {check.id: "the id of a hidden check" for check in assignment.checks if not check.is_public}
     for path in hidden_sources:
         secrets[path.name] = "a file of hidden checks"
         for number, line in enumerate(template.read_text(path).splitlines(), 1):
-            if is_telling(line.strip()) and squeezed(line) not in public:
+            if is_specific(line.strip()) and squeezed(line) not in public:
                 secrets[line.strip()] = f"{path.name}:{number}"
     for name, file in project.items():
         secrets.update({line: f"{name}:{number}" for number, line in file.secrets
-                        if is_telling(line) and line not in assignment.not_secret})
+                        if is_specific(line) and line not in assignment.not_secret})
     return secrets
 
 
-def is_telling(line):
+def is_specific(line):
     return len(line) >= 20 and not line.startswith(("#", "//", "namespace ", "using "))
 
 
@@ -210,18 +210,18 @@ def squeezed(text):
 
 
 def leaks(files, secrets):
-    """Where one of the secrets is in the files {name: text}, or in their names, whatever the blanks between words."""
+    """Lists the secrets that the files, {name: text}, or their names contain. Ignores differences in white space."""
     found = []
     for name, text in files.items():
         searched = f"{name} {squeezed(text)}"
         for secret, origin in secrets.items():
             if squeezed(secret) in searched:
-                found.append(f"{name} has \"{secret}\" ({origin})")
+                found.append(f"{name} contains \"{secret}\" ({origin})")
     return found
 
 
 def write_zip(files, path):
-    """Packs {name: text or bytes}; the same files give the same bytes."""
+    """Packs files, {name: text or bytes}. The same files always give the same bytes."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as packed:
         for name, content in sorted(files.items()):
             info = zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs a student's code, and the compiler on it, apart from everything else.
+"""Runs a student's code, and the compiler that compiles it, in a sandbox.
 
-Bubblewrap: a job sees /usr, a read-only kit and its own folder; no other file, no other process, no network; nothing
-survives it. User: for a container that holds one submission; a job runs as a user without rights, who can read nothing that
-is closed to others. Both limit processor time, memory and file sizes of each process and the number of processes. Neither
-limits the sum over the processes of a job.
+Bubblewrap: a job sees /usr, the read-only kit and its own folder, but no other files, no other processes and no network. All
+its processes end with it. User: for a container that contains one submission. A job runs as a user without privileges, who
+cannot read files that are private to root. Both limit the processor time, memory and file size of each process and the number
+of processes. Neither limits the total over all processes of a job.
 """
 import os
 import shutil
@@ -18,22 +18,22 @@ from itertools import count
 
 from errors import ToolFailure
 
-# systemd sets these users aside for services that have none of their own, so that they own nothing and nobody logs in as one.
+# systemd reserves these user ids for services without a permanent user, so they own no files and nobody logs in with them.
 FIRST_USER, USERS = 61184, 4000
 MAX_FILE_MB = 64  # of an object or a program
-MAX_TEXT = 100_000  # bytes that are read of what a job prints
+MAX_TEXT = 100_000  # bytes of a job's output that are read
 
 
 @dataclass(frozen=True)
 class Ended:
     status: int  # exit code, or minus the signal
-    text: str  # the beginning of what it printed
-    seconds: float  # by the clock
-    is_hung: bool  # it was ended by the clock
+    text: str  # the beginning of its output
+    seconds: float  # wall-clock time
+    is_hung: bool  # it was killed after the time limit of the clock
 
 
 class Sandbox:
-    """Runs jobs in a folder of theirs. They find the kit as `self.kit`."""
+    """Runs jobs, each in its own folder. Jobs find the kit at `self.kit`."""
 
     users = count(16 * os.getpid())
 
@@ -44,28 +44,28 @@ class Sandbox:
         self.user = None  # of the latest job
 
     def command(self, words, work, seconds, writable=False):
-        """The command that runs `words` in the folder `work`, with this much processor time for each process."""
+        """Returns the command that runs `words` in the folder `work`, with this limit of processor time for each process."""
         raise NotImplementedError
 
     def clean(self):
-        """Ends what the latest job left."""
+        """Kills processes that the latest job has left behind."""
 
     def limited(self, words, seconds):
         return ["prlimit", f"--cpu={seconds}:{seconds + 1}", f"--as={self.limits.memory_mb << 20}",
                 f"--nproc={self.limits.processes}", f"--fsize={MAX_FILE_MB << 20}", "--core=0", "--nofile=256", "--", *words]
 
     def as_nobody(self, words):
-        """As a user whom no other job has, since the kernel counts processes by user, and root's not at all."""
+        """Runs `words` as a user of no other job. The kernel counts processes per user, and does not limit those of root."""
         self.user = FIRST_USER + next(Sandbox.users) % USERS
-        return without_rights(self.user, words)
+        return without_privileges(self.user, words)
 
     def run(self, words, work, seconds, clock):
-        """Runs a job that may write to its folder, to its end or until `clock` seconds have passed."""
+        """Runs a job that may write to its folder. Kills it after `clock` seconds."""
         begin = time.monotonic()
         with tempfile.TemporaryFile() as output:
             process = subprocess.Popen(self.command(words, work, seconds, writable=True), stdin=subprocess.DEVNULL, stdout=output,
                                        stderr=output, cwd=work, start_new_session=True)
-            # Waiting with a limit of time would look only every 50 ms.
+            # process.wait(timeout=…) would poll only every 50 ms.
             timer = threading.Timer(clock, os.killpg, (process.pid, signal.SIGKILL))
             timer.start()
             process.wait()
@@ -77,7 +77,7 @@ class Sandbox:
         return Ended(process.returncode, text, elapsed, elapsed >= clock)
 
     def require(self):
-        """Raises ToolFailure unless a job can run here."""
+        """Raises ToolFailure unless the sandbox works on this machine."""
         with tempfile.TemporaryDirectory(prefix="course-") as work:
             os.chmod(work, 0o755)
             ended = self.run(["true"], work, seconds=10, clock=self.clock)
@@ -86,13 +86,13 @@ class Sandbox:
             raise ToolFailure(f"the sandbox does not work here ({reason}). {self.hint}")
 
 
-def without_rights(user, words):
+def without_privileges(user, words):
     return ["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups", "--no-new-privs", "--bounding-set=-all",
             "--inh-caps=-all", "--", *words]
 
 
 class Bubblewrap(Sandbox):
-    clock = 300  # seconds for a job that processor time limits already: in here it can wait for nothing
+    clock = 300  # seconds; the limit of processor time ends a job long before, since it has nothing to wait for
     hint = ("Grade in a container: podman build -t course --build-arg TARGETS=course . && podman run --rm --network none "
             "-v \"$PWD:/halfspace\" course make course DO=grade SUBMISSIONS=folder SANDBOX=user")
 
@@ -116,14 +116,14 @@ class Bubblewrap(Sandbox):
 
 class User(Sandbox):
     clock = 60
-    hint = "This sandbox is for root in a container that holds nothing else."
+    hint = "This sandbox is for root in a container that contains nothing else."
 
     def command(self, words, work, seconds, writable=False):
         inner = ["env", "-i", f"--chdir={work}", "PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", *self.limited(words, seconds)]
         return self.as_nobody(inner)
 
     def clean(self):
-        subprocess.run(without_rights(self.user, ["sh", "-c", "kill -KILL -1"]), stderr=subprocess.DEVNULL, check=False)
+        subprocess.run(without_privileges(self.user, ["sh", "-c", "kill -KILL -1"]), stderr=subprocess.DEVNULL, check=False)
 
 
 SANDBOXES = {"bubblewrap": Bubblewrap, "user": User}

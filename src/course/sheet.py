@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The assignment sheet: plain LaTeX, with tables and numbers that this module writes from assignment.toml and the judge."""
+"""Typesets the assignment sheet, a LaTeX file that reads tables and numbers written here from assignment.toml and the judge."""
 import os
 import shutil
 import subprocess
@@ -17,7 +17,7 @@ def escaped(text):
 
 
 def quantity(number, unit):
-    """A number in a unit by which it is between 1 and 1000 if there is one: 207 GPa."""
+    """Prints a quantity, if possible with a unit prefix that makes the number at least 1 and less than 1000: 207 GPa."""
     for factor, name in UNITS.get(unit, []):
         if 1 <= float(number) / factor < 1000:
             return f"{float(number) / factor:.6g}\\,{name}"
@@ -31,7 +31,7 @@ def tabular(columns, head, rows):
 
 
 def generated(assignment, judge):
-    """{name: text} of what sheet.tex reads."""
+    """Returns the files that sheet.tex reads, {name: text}."""
     values = {"title": escaped(assignment.title), "due": escaped(assignment.due), "points": f"{assignment.points:g}"}
     values |= {f"limit.{name}": str(number) for name, number in vars(assignment.limits).items()}
     values |= {f"points.{exercise.id}": f"{exercise.points:g}" for exercise in assignment.exercise}
@@ -39,20 +39,20 @@ def generated(assignment, judge):
     defined = (f"\\expandafter\\def\\csname sheet:{name}\\endcsname{{{text}}}\n" for name, text in values.items())
     files = {"values.tex": "".join(defined)}
     files["exercises.tex"] = tabular(
-        "lllrr", ["exercise", "file", "builds on", "points", "of them public"],
+        "lllrr", ["exercise", "file", "builds on", "points", "of which public"],
         [[f"{number}. {escaped(exercise.title)}", rf"\texttt{{{escaped(exercise.file)}}}",
           ", ".join(str(1 + [other.id for other in assignment.exercise].index(id)) for id in exercise.builds_on) or "--",
           f"{exercise.points:g}", f"{sum(check.points for check in exercise.check if check.is_public):g}"]
          for number, exercise in enumerate(assignment.exercise, 1)])
     for exercise in assignment.exercise:
         files[f"checks-{exercise.id}.tex"] = tabular(
-            "llr", ["what is tested", "check", "points"],
-            [[escaped(check.says), check.visibility, f"{check.points:g}"] for check in exercise.check])
+            "llr", ["tested property", "check", "points"],
+            [[escaped(check.description), check.visibility, f"{check.points:g}"] for check in exercise.check])
     return files
 
 
 def typeset(assignment, judge, folder):
-    """The sheet as a PDF, with the figures that gnuplot draws."""
+    """Typesets the sheet, after gnuplot has drawn its figures. Returns the PDF."""
     with tempfile.TemporaryDirectory(prefix="course-") as work:
         for path in [folder / "sheet.tex", *(folder / "figures").glob("*.gp")]:
             shutil.copy(path, work)
@@ -77,6 +77,7 @@ def run(words, folder):
     except OSError as error:
         raise ToolFailure(f"{words[0]}: {error.strerror}; run \"make setup course\"") from None
     if done.returncode != 0:
-        said = [line for line in (done.stdout + done.stderr).splitlines() if line.startswith(("!", "l.")) or ".gp" in line]
-        raise ToolFailure(f"{words[0]} fails for the sheet: " + " ".join(said or (done.stdout + done.stderr).splitlines()[-3:]))
+        lines = (done.stdout + done.stderr).splitlines()
+        errors = [line for line in lines if line.startswith(("!", "l.")) or ".gp" in line]
+        raise ToolFailure(f"{words[0]} fails for the sheet: " + " ".join(errors or lines[-3:]))
     return done.stdout

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the submissions that a teacher has, and takes the exercises' files from each.
+"""Finds the submissions of a class, and reads the files of the exercises from each.
 
-Submissions are folders or zips in one folder, or the zip that Moodle or Canvas gives. Only files with the expected names
-are read, each up to the limit; nothing is unpacked, and no link is followed.
+Submissions are folders or zips in one folder, or are in the zip that Moodle or Canvas provides. Only files with the expected
+names are read, each up to the size limit. Nothing is unpacked, and links are not followed.
 """
 import io
 import os
@@ -16,22 +16,22 @@ from pathlib import Path, PurePosixPath
 from errors import BadInput
 
 MAX_ZIP_KB = 50 << 10  # of one student's zip
-ID = re.compile(r"[^\W_][\w .@+-]{0,99}")  # names a folder, and is no formula in a table
-# Both systems put a number of the student's into the name: Moodle that of its worksheet, Canvas the "ID" of its gradebook.
-# Canvas adds "-1" and so on to a file that is handed in again.
+ID = re.compile(r"[^\W_][\w .@+-]{0,99}")  # can name a folder, and is not a formula in a spreadsheet
+# Both systems put a number of the student into the name: Moodle the one in its worksheet, Canvas the "ID" in its gradebook.
+# Canvas appends "-1", "-2" … to files that are submitted again.
 MOODLE = re.compile(r"[^_]*_(?P<id>\d+)_assignsubmission_file_?(?P<rest>.*)")
 CANVAS = re.compile(r"[^_]*(?:_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.+?)(?:-\d+)?(?P<ending>\.\w+)")
 
 
 class Unusable(Exception):
-    """Nothing can be graded; the message is for the teacher and the student."""
+    """A submission cannot be graded. The message is for the teacher and the student."""
 
 
 @dataclass
 class Member:
-    """A file that has not been read yet."""
+    """A file in a folder or a zip, not yet read."""
     path: PurePosixPath
-    open: object  # returns a binary stream; None for a link or a special file
+    open: object  # a function that returns a binary stream; None for a link or a special file
 
     def read(self, max_kb):
         if self.open is None:
@@ -53,8 +53,8 @@ class Submission:
     members: list = field(default_factory=list)
     problem: str = ""
 
-    def take(self, assignment):
-        """The files of the exercises, {name: bytes}. Raises Unusable if there is none, or if one is there twice."""
+    def read_files(self, assignment):
+        """Reads the files of the exercises, {name: bytes}. Raises Unusable if there are none, or if one occurs twice."""
         if self.problem:
             raise Unusable(self.problem)
         names = {PurePosixPath(exercise.file).name: exercise.file for exercise in assignment.exercise}
@@ -62,21 +62,21 @@ class Submission:
         zips = [member for member in members if member.path.suffix.lower() == ".zip"]
         if len(zips) == 1 and not any(member.path.name in names for member in members):
             members = zip_members(io.BytesIO(zips[0].read(MAX_ZIP_KB)))
-        wanted = [member for member in members if member.path.name in names]
-        # A file in src counts before one of the same name elsewhere.
+        candidates = [member for member in members if member.path.name in names]
+        # Files in src take precedence over files with the same name elsewhere.
         files = {}
-        for member in [member for member in wanted if member.path.parent.name == "src"] or wanted:
+        for member in [member for member in candidates if member.path.parent.name == "src"] or candidates:
             name = names[member.path.name]
             if name in files:
-                raise Unusable(f"{name} was handed in twice")
+                raise Unusable(f"{name} was submitted twice")
             files[name] = member.read(assignment.limits.file_kb)
         if not files:
-            raise Unusable("none of the files " + ", ".join(names.values()) + " was handed in")
+            raise Unusable("none of the files " + ", ".join(names.values()) + " was submitted")
         return files
 
 
 def folder_members(folder):
-    """The files of a folder; those that are no regular files cannot be opened."""
+    """Lists the files of a folder. Only regular files can be opened."""
     members = []
     for root, folders, names in os.walk(folder):
         for name in [*names, *(name for name in folders if Path(root, name).is_symlink())]:
@@ -91,7 +91,7 @@ def open_plain(file):
 
 
 def zip_members(source):
-    """The files of a zip. Raises Unusable if it is damaged."""
+    """Lists the files of a zip. Raises Unusable if the zip is damaged."""
     try:
         packed = zipfile.ZipFile(source)
     except (OSError, ValueError, NotImplementedError, zipfile.BadZipFile) as error:
@@ -106,15 +106,15 @@ def zip_members(source):
 
 
 def without_junk(members):
-    """Without hidden files, what Macs add to zips, and what was typed into Moodle."""
+    """Leaves out hidden files, the files that macOS adds to zips, and text typed into Moodle."""
     junk = re.compile(r"\.[^.].*|__MACOSX|.*_assignsubmission_onlinetext.*")
     return [member for member in members if not any(junk.fullmatch(part) for part in member.path.parts)]
 
 
 def submissions_in(source):
-    """The submissions in a folder or in the zip of a class, in the order of their ids."""
+    """Finds the submissions in a folder or in the zip of a class, sorted by id."""
     if not os.path.lexists(source):
-        raise BadInput(f"{source}: there is no such file or folder")
+        raise BadInput(f"{source}: no such file or folder")
     try:
         members = folder_members(source) if source.is_dir() else zip_members(source)
     except Unusable as error:
@@ -124,27 +124,27 @@ def submissions_in(source):
         entry, *inner = member.path.parts
         id, own = id_and_own_name(entry)
         submission = found.setdefault(id, Submission(id))
-        # Several entries are of one student only where Moodle or Canvas say so.
+        # Several entries belong to one student only if Moodle or Canvas named them.
         if entries.setdefault(id, entry) != entry and own is None:
             submission.problem = f"there are two submissions, {entries[id]} and {entry}"
         elif not ID.fullmatch(id):
-            submission.problem = "its name is no id: ids begin with a letter or digit and hold letters, digits, blanks and _.@+-"
+            submission.problem = "its name is not an id: ids begin with a letter or digit and contain letters, digits, spaces and _.@+-"
         elif not inner and member.open is None:
             submission.problem = "the submission is a link"
         submission.members.append(Member(PurePosixPath(own or "", *inner) if own or inner else PurePosixPath(entry), member.open))
     for entry in source.iterdir() if source.is_dir() else []:
         if entry.is_dir() and not entry.name.startswith("."):
             id = id_and_own_name(entry.name)[0]
-            found.setdefault(id, Submission(id))  # an empty folder is one too
+            found.setdefault(id, Submission(id))  # includes empty folders
     if not found:
-        raise BadInput(f"{source}: there are no submissions in it")
+        raise BadInput(f"{source}: this folder or zip contains no submissions")
     if "src" in found:
-        raise BadInput(f"{source}: this is a single submission; name the folder that holds the submissions")
+        raise BadInput(f"{source}: this is a single submission; give the folder that contains the submissions")
     return [found[id] for id in sorted(found)]
 
 
 def id_and_own_name(entry):
-    """Whose an entry is, and what of its name the student chose, if Moodle or Canvas named it."""
+    """Returns the student's id from the name of an entry, and the student's own file name if Moodle or Canvas made the name."""
     if moodle := MOODLE.fullmatch(entry):
         return moodle["id"], moodle["rest"]
     if canvas := CANVAS.fullmatch(entry):

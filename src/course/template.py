@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The students' project, from files in which the solution is between markers.
+"""Makes the students' project from template files that contain the solution between markers.
 
-A marker is a comment on a line by itself (//, #, % or <!-- -->):
+A marker is a comment on a separate line (//, #, % or <!-- -->):
 
-    // BEGIN SOLUTION             the handout has "YOUR SOLUTION HERE" and the stubs instead of what follows
+    // BEGIN SOLUTION             in the handout, "YOUR SOLUTION HERE" and the stubs replace the lines up to END SOLUTION
     // STUB: return 0;
     // END SOLUTION
-    // EACH EXERCISE: @file@      a line for each exercise, with @id@, @file@, @number@, @title@, @points@
-    // EACH PUBLIC CHECK: @check@ a line for each public check
+    // EACH EXERCISE: @file@      one line per exercise, with @id@, @file@, @number@, @title@, @points@
+    // EACH PUBLIC CHECK: @check@ one line per public check
 """
 import re
 from dataclasses import dataclass, field
@@ -17,44 +17,44 @@ from errors import BadInput
 
 MARKER = re.compile(r"(?P<indent>\s*)(?P<sign>//|#|%|<!--) ?(?P<words>BEGIN SOLUTION|END SOLUTION|STUB:|EACH [A-Z ]+:) ?"
                     r"(?P<rest>.*?)(?P<end> ?-->)?$")
-LOOKS_LIKE_ONE = re.compile(r"\b(begin|end)[ _-]+solutions?\b", re.IGNORECASE)
+LOOKS_LIKE_A_MARKER = re.compile(r"\b(begin|end)[ _-]+solutions?\b", re.IGNORECASE)
 
 
 @dataclass
 class Divided:
-    """A file of the template as students and as the solution have it."""
+    """A file of the template: its text in the handout and in the solution."""
     handout: str = ""
     solution: str = ""
-    secrets: list = field(default_factory=list)  # the lines of the solution, as (number, text)
+    secrets: list = field(default_factory=list)  # the lines of the solution, (line number, text)
 
 
 def divide(text, name, lists):
-    """Divides a file by its markers. `lists` has the words of each EACH line: {"EXERCISE": [{"id": …}, …]}."""
+    """Divides a file at its markers. `lists` contains the words for EACH lines: {"EXERCISE": [{"id": …}, …]}."""
     result = Divided()
-    begun = None
+    begin_line = None
     for number, line in enumerate(text.splitlines(keepends=True), 1):
         marker = MARKER.fullmatch(line.rstrip("\r\n"))
         if not marker:
-            if LOOKS_LIKE_ONE.search(line):
-                raise BadInput(f"{name}:{number}: this is no marker, but looks like one: {line.strip()}")
+            if LOOKS_LIKE_A_MARKER.search(line):
+                raise BadInput(f"{name}:{number}: this looks like a marker but is not one: {line.strip()}")
             result.solution += line
-            if not begun:
+            if not begin_line:
                 result.handout += line
             elif line.strip():
                 result.secrets.append((number, line.strip()))
             continue
         indent, sign, words, rest = marker["indent"], marker["sign"], marker["words"], marker["rest"]
         if words == "BEGIN SOLUTION":
-            if begun:
-                raise BadInput(f"{name}:{number}: BEGIN SOLUTION within that of line {begun}")
-            begun = number
+            if begin_line:
+                raise BadInput(f"{name}:{number}: BEGIN SOLUTION inside the solution that begins in line {begin_line}")
+            begin_line = number
             result.handout += f"{indent}{sign} YOUR SOLUTION HERE{' -->' if sign == '<!--' else ''}\n"
         elif words == "END SOLUTION":
-            if not begun:
+            if not begin_line:
                 raise BadInput(f"{name}:{number}: END SOLUTION without BEGIN SOLUTION")
-            begun = None
+            begin_line = None
         elif words == "STUB:":
-            if not begun:
+            if not begin_line:
                 raise BadInput(f"{name}:{number}: STUB outside a solution")
             result.handout += f"{indent}{rest}\n"
         else:
@@ -62,22 +62,22 @@ def divide(text, name, lists):
                 expanded = f"{indent}{expand(rest, entry, f'{name}:{number}')}\n"
                 result.handout += expanded
                 result.solution += expanded
-    if begun:
-        raise BadInput(f"{name}:{begun}: BEGIN SOLUTION without END SOLUTION")
+    if begin_line:
+        raise BadInput(f"{name}:{begin_line}: BEGIN SOLUTION without END SOLUTION")
     return result
 
 
 def expand(text, entry, where):
-    """The text with each @word@ replaced by its entry."""
+    """Replaces each @word@ in a text by its entry."""
     def replaced(match):
         if match[1] not in entry:
-            raise BadInput(f"{where}: there is no word @{match[1]}@ here")
+            raise BadInput(f"{where}: @{match[1]}@ is not a word of this list")
         return str(entry[match[1]])
     return re.sub(r"@(\w+)@", replaced, text)
 
 
 def project(assignment, folder, sources):
-    """The students' project, {name: Divided}: the files of the template, and copies of what is provided."""
+    """Makes the students' project, {name: Divided}: the files of the template and copies of the provided files."""
     exercises = [{"id": exercise.id, "file": exercise.file, "number": number, "title": exercise.title,
                   "points": f"{exercise.points:g}"} for number, exercise in enumerate(assignment.exercise, 1)]
     lists = {"EXERCISE": exercises,
@@ -92,7 +92,7 @@ def project(assignment, folder, sources):
             files[f"provided/{path.relative_to(sources).as_posix()}"] = Divided(text, text)
     for exercise in assignment.exercise:
         if exercise.file not in files:
-            raise BadInput(f"{folder / 'template' / exercise.file}: there is no such file for exercise '{exercise.id}'")
+            raise BadInput(f"{folder / 'template' / exercise.file}: the file of exercise '{exercise.id}' does not exist")
     return files
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a student's program answers. This header is part of the handout; only the file with main()
-// includes it.
+// The loop in which a student's program answers questions. This header is part of the handout; only
+// the file with main() includes it.
 #pragma once
 
 #include <unistd.h>
@@ -15,20 +15,20 @@
 
 namespace judge {
 
-/// Where answers are written: what was standard output when the program began.
+/// The descriptor to which answers are written: standard output as it was at program start.
 inline int answer_descriptor = -1;
 
-/// Sends whatever the student's functions print to standard error, so that a forgotten debug line
-/// does no harm. This runs before the constructors of static objects.
-__attribute__((constructor(101))) inline void keep_answers_apart() {
+/// Redirects standard output to standard error, so that forgotten debug output does no harm. This
+/// runs before the constructors of static objects.
+__attribute__((constructor(101))) inline void reserve_output_for_answers() {
   if (answer_descriptor >= 0) return;
   answer_descriptor = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
 }
 
-/// Answers each line of standard input, "TASK number number …", with a line of numbers that have
-/// all digits of a double. `run` takes the task and its inputs; if it throws, the line is empty and
-/// the reason goes to standard error.
+/// Answers each line of standard input, "TASK number number …", with a line of numbers, printed
+/// with all digits of a double. `run` computes the answer from the task and its inputs; if it
+/// throws, the line is empty and the reason goes to standard error.
 template <class Run>
 void answer_questions(const Run& run) {
   for (std::string line; std::getline(std::cin, line);) {

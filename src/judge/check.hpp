@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a check is. This header is part of the handout, so it uses the standard library only.
+// The types of checks. This header is part of the handout, so it uses the standard library only.
 #pragma once
 
 #include <functional>
@@ -12,17 +12,17 @@ namespace judge {
 /// The inputs of a task of the student's program, or its answer.
 using Numbers = std::vector<double>;
 
-/// The student's program: takes a task and its inputs, returns the answer. Throws NoAnswer if there
-/// is none.
+/// The student's program as a function: returns the answer to a task with these inputs. Throws
+/// NoAnswer if there is none.
 using Program = std::function<Numbers(const std::string& task, const Numbers& inputs)>;
 
-/// The student's program gave no answer that can be judged. what() is for the student.
+/// The student's program gave no valid answer. what() is the message for the student.
 class NoAnswer : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The share of a check that holds, from 0 to 1, and a message for the student if it is less
+/// The fraction of a check that holds, from 0 to 1, and a message for the student if it is less
 /// than 1.
 struct Outcome {
   double share = 0;
@@ -35,7 +35,7 @@ struct Check {
   std::function<Outcome(const Program& program)> outcome;
 };
 
-/// The checks of one file that students write.
+/// The checks of one exercise.
 struct Exercise {
   std::string id;
   std::vector<Check> public_checks;  ///< students have their code

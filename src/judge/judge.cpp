@@ -16,8 +16,8 @@ namespace judge {
 namespace {
 
 struct Options {
-  std::map<std::string, std::string> values;  ///< those without a value are empty
-  std::vector<std::string> program;           ///< what follows --
+  std::map<std::string, std::string> values;  ///< by option; empty for an option without a value
+  std::vector<std::string> program;           ///< the words after --
 
   bool has(const std::string& name) const { return values.count(name) == 1; }
   std::string value(const std::string& name) const { return has(name) ? values.at(name) : ""; }
@@ -41,12 +41,12 @@ std::string salt_of(const Options& options) {
   if (!options.has("--salt-file")) return "";
   std::ifstream file(options.value("--salt-file"));
   std::string salt{std::istreambuf_iterator<char>(file), {}};
-  if (salt.empty()) throw std::invalid_argument("--salt-file: there is no salt");
+  if (salt.empty()) throw std::invalid_argument("--salt-file: the file is missing or empty");
   return salt;
 }
 
 StudentProgram program_of(const Options& options) {
-  if (options.program.empty()) throw std::invalid_argument("there is no program after --");
+  if (options.program.empty()) throw std::invalid_argument("no program after --");
   const double unlimited = 1e9;
   return {options.program,
           options.has("--allowance") ? std::stod(options.value("--allowance")) : unlimited};
@@ -62,19 +62,19 @@ Outcome outcome_of(const Check& check, StudentProgram& program) {
   }
 }
 
-int run_one(const std::vector<Exercise>& exercises, const Options& options) {
+int run_check(const std::vector<Exercise>& exercises, const Options& options) {
   for (const Exercise& exercise : exercises) {
     for (const Check& check : exercise.public_checks) {
       if (check.id != options.value("--check")) continue;
       StudentProgram program = program_of(options);
       const auto [share, message] = outcome_of(check, program);
       if (share == 1) return 0;
-      std::cout << check.id << ": " << std::floor(100 * share) << " % of the check holds; "
+      std::cout << check.id << ": " << std::floor(100 * share) << " % of this check holds; "
                 << message << '\n';
       return 1;
     }
   }
-  throw std::invalid_argument("there is no public check " + options.value("--check"));
+  throw std::invalid_argument("no public check is named " + options.value("--check"));
 }
 
 void run_exercise(const std::vector<Exercise>& exercises, const Options& options) {
@@ -87,7 +87,7 @@ void run_exercise(const std::vector<Exercise>& exercises, const Options& options
       std::printf("%s\t%.17g\t%s\n", check.id.c_str(), share, message.c_str());
     }
   }
-  std::printf("lost\t%.3f\t%d\n", program.lost_seconds(), program.n_answers());
+  std::printf("used\t%.3f\t%d\n", program.used_seconds(), program.n_answers());
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ int run(int argc, char** argv, const Assignment& assignment) {
     const Options options = read_options({argv + 1, argv + argc});
     const std::string student = options.value("--student");
     const std::vector<Exercise> exercises = assignment.exercises(student, salt_of(options));
-    if (options.has("--check")) return run_one(exercises, options);
+    if (options.has("--check")) return run_check(exercises, options);
     if (options.has("--numbers")) {
       std::cout << assignment.numbers(student);
     } else {

@@ -9,28 +9,29 @@
 
 namespace judge {
 
-/// What a judge knows of an assignment.
+/// The checks and numbers of an assignment.
 struct Assignment {
-  /// The exercises with their checks, for a student's own numbers and the salt from which hidden
-  /// checks draw theirs. Both are empty for the nominal numbers.
+  /// Returns the exercises with their checks, for the numbers that follow from a student's id and
+  /// the salt that determines the numbers of the hidden checks. An empty one means the nominal
+  /// numbers.
   std::function<std::vector<Exercise>(const std::string& student, const std::string& salt)>
       exercises;
-  /// A student's own numbers, one "name value unit" a line.
+  /// Returns the numbers that follow from a student's id, one line "name value unit" per number.
   std::function<std::string(const std::string& student)> numbers;
 };
 
 /// The main() of a judge:
 ///
-///   --check ID -- PROGRAM…             runs one public check and says what does not hold
-///   --exercise ID --public -- PROGRAM… runs the public checks of an exercise (or --hidden); prints
-///                                      "ID share message" for each, with tabs between, and then
-///                                      "lost SECONDS ANSWERS": how long questions without an
-///                                      answer took, and how many were answered
-///   --numbers                          prints the student's own numbers
+///   --check ID -- PROGRAM…             runs one public check and prints what does not hold
+///   --exercise ID --public -- PROGRAM… runs the public checks of an exercise (or --hidden). Prints
+///                                      a line "ID share message" per check, separated by tabs, and
+///                                      then "used SECONDS ANSWERS": the time that the program took
+///                                      for its answers, and their number
+///   --numbers                          prints the student's numbers
 ///
-/// with --student ID, --salt-file FILE, and --allowance SECONDS for questions without an answer.
-/// PROGRAM is the command that starts the student's program. Exit code: 0, 1 if the one check does
-/// not hold, 3 if the judge itself fails.
+/// Options are --student ID, --salt-file FILE, and --allowance SECONDS, the time limit for all
+/// questions. PROGRAM is the command that starts the student's program. Exit codes: 0 success, 1
+/// the check does not hold, 3 the judge failed.
 int run(int argc, char** argv, const Assignment& assignment);
 
 }  // namespace judge

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -20,10 +21,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double patience_seconds = 10;        // for a question that takes milliseconds
-constexpr double little_patience_seconds = 2;  // once the allowance is used up
+// Seconds for a question, which an honest program answers within milliseconds.
+constexpr double patience = 10;
+constexpr double patience_without_allowance = 1.5;
+// Seconds for all questions after the allowance is used up.
+constexpr double grace = 3;
 constexpr std::size_t max_answer_bytes = 1 << 20;
-const char* const unasked = "the program answers what it was not asked";
+const char* const unasked = "the program wrote an answer without a question";
 const char* const too_slow = "the program did not answer in time";
 const char* const out_of_time = "the program used up its processor time";
 
@@ -31,7 +35,7 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// "TASK number number …" with all digits.
+// Returns the line "TASK number number …", with all digits.
 std::string question_of(const std::string& task, const Numbers& inputs) {
   std::string line = task;
   for (const double input : inputs) {
@@ -61,7 +65,7 @@ Numbers numbers_of_line(const std::string& line) {
     double number = 0;
     const auto [next, error] = std::from_chars(at, end, number);
     if (error != std::errc() || (next != end && *next != ' ')) {
-      throw NoAnswer("the program's answer contains something that is not a decimal number");
+      throw NoAnswer("the program's answer contains text that is not a decimal number");
     }
     numbers.push_back(number);
     at = next;
@@ -81,8 +85,11 @@ Numbers StudentProgram::answer(const std::string& task, const Numbers& inputs) {
   const std::string question = question_of(task, inputs);
   auto known = known_.find(question);
   if (known == known_.end()) {
-    if (slow_tasks_.count(task) == 1 && !has_allowance()) throw NoAnswer(too_slow);
+    const bool is_slow = slow_tasks_.count(task) == 1 && !has_allowance();
+    if (is_slow || seconds_for_a_question() <= 0) throw NoAnswer(too_slow);
+    const Clock::time_point begin = Clock::now();
     known = known_.emplace(question, ask(question)).first;
+    used_seconds_ += seconds_since(begin);
   }
   const std::string& failure = known->second.failure;
   if (failure == too_slow || failure == out_of_time) slow_tasks_.insert(task);
@@ -90,8 +97,12 @@ Numbers StudentProgram::answer(const std::string& task, const Numbers& inputs) {
   return known->second.numbers;
 }
 
+double StudentProgram::seconds_for_a_question() const {
+  const double left = std::max(allowance_, 0.0) + grace - used_seconds_;
+  return std::min(left, has_allowance() ? patience : patience_without_allowance);
+}
+
 StudentProgram::Answer StudentProgram::ask(const std::string& question) {
-  const Clock::time_point begin = Clock::now();
   try {
     if (process_ < 0) start();
     if (has_something_to_read(channel_, 0)) {
@@ -100,31 +111,29 @@ StudentProgram::Answer StudentProgram::ask(const std::string& question) {
     }
     ::send(channel_, question.data(), question.size(), MSG_NOSIGNAL);
     const std::string line = read_line();
-    if (line.empty())
-      return {{}, "the program has no answer"};  // it goes on with the next question
+    if (line.empty()) return {{}, "the program has no answer"};  // but it can answer the next one
     Answer answer{numbers_of_line(line), ""};
     ++n_answers_;
     return answer;
   } catch (const NoAnswer& e) {
     stop();
-    lost_seconds_ += seconds_since(begin);
     return {{}, e.what()};
   }
 }
 
-// One line of the program's answers, without its end. Throws NoAnswer if there is none, or more.
+// Reads one line of output, without the line end. Throws NoAnswer for no line or several.
 std::string StudentProgram::read_line() {
-  const double patience = has_allowance() ? patience_seconds : little_patience_seconds;
+  const double seconds = seconds_for_a_question();
   const Clock::time_point begin = Clock::now();
   std::string text;
   while (text.find('\n') == text.npos) {
-    const double left = patience - seconds_since(begin);
+    const double left = seconds - seconds_since(begin);
     if (left <= 0 || !has_something_to_read(channel_, left)) {
       throw NoAnswer(too_slow);
     }
     char chunk[65536];
     const auto n = ::recv(channel_, chunk, sizeof chunk, 0);
-    if (n <= 0) throw NoAnswer(how_it_ended());
+    if (n <= 0) throw NoAnswer(reason_of_exit());
     text.append(chunk, static_cast<std::size_t>(n));
     if (text.size() > max_answer_bytes) throw NoAnswer("the program's answer is too long");
   }
@@ -133,14 +142,14 @@ std::string StudentProgram::read_line() {
   return text.substr(0, end);
 }
 
-// What students are told of a program that closed its channel.
-std::string StudentProgram::how_it_ended() const {
+// Returns the message for the student after the program has closed its channel.
+std::string StudentProgram::reason_of_exit() const {
   siginfo_t end{};
   for (int tries = 0; tries < 1000 && end.si_pid == 0; ++tries) {
     ::usleep(1000);
     ::waitid(P_PID, static_cast<id_t>(process_), &end, WEXITED | WNOHANG | WNOWAIT);
   }
-  // A shell or a sandbox passes on a signal as 128 more than its number.
+  // A shell or a sandbox reports a signal as exit code 128 + signal.
   const int signal = end.si_code == CLD_EXITED ? end.si_status - 128 : end.si_status;
   if (signal == SIGXCPU) return out_of_time;
   const char* name = signal > 0 ? ::sigabbrev_np(signal) : nullptr;
@@ -150,7 +159,7 @@ std::string StudentProgram::how_it_ended() const {
 
 void StudentProgram::start() {
   if (n_starts_left_ <= 0)
-    throw NoAnswer("the program had failed before and was not started again");
+    throw NoAnswer("the program failed too often before and was not started again");
   --n_starts_left_;
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {

@@ -12,25 +12,27 @@
 
 namespace judge {
 
-/// The student's program as a separate process, which is asked by lines and answers by lines.
-/// Nothing else that it prints, writes or exits with counts.
+/// The student's program in a separate process. Questions and answers are lines of text. Nothing
+/// else that the program prints or writes has an effect, nor has its exit code.
 ///
-/// A question has no answer if the program answers with anything but numbers, crashes or hangs. The
-/// program is then started again, twice at most. The command that starts it is meant to limit its
-/// processor time; the clock here is a far backstop, so that a busy machine costs nobody an answer.
+/// A question gets no answer if the program crashes, hangs or writes anything but numbers. The
+/// program is then restarted, at most twice. The command that starts it should limit its processor
+/// time. The limits of wall-clock time here are much longer, so that a busy machine costs no
+/// points.
 class StudentProgram {
  public:
-  /// `allowance` is how many seconds may be lost in questions without an answer: beyond that a
-  /// question has less time, and a task that took too long is not asked for again.
+  /// `allowance` is the time limit in seconds for all questions. After it is used up, a question
+  /// has less time, tasks that took too long are not asked again, and soon no question is asked at
+  /// all.
   StudentProgram(std::vector<std::string> command, double allowance);
   StudentProgram(const StudentProgram&) = delete;
   StudentProgram& operator=(const StudentProgram&) = delete;
   ~StudentProgram();
 
-  /// The answer to a question, which is asked once only. Throws NoAnswer.
+  /// Returns the answer to a question; asks a repeated question only once. Throws NoAnswer.
   Numbers answer(const std::string& task, const Numbers& inputs);
 
-  double lost_seconds() const { return lost_seconds_; }  ///< in questions without an answer
+  double used_seconds() const { return used_seconds_; }  ///< from questions to answers
   int n_answers() const { return n_answers_; }
 
  private:
@@ -39,15 +41,16 @@ class StudentProgram {
     std::string failure;  ///< empty if there is an answer
   };
   Answer ask(const std::string& question);
-  bool has_allowance() const { return lost_seconds_ < allowance_; }
+  bool has_allowance() const { return used_seconds_ < allowance_; }
+  double seconds_for_a_question() const;
   std::string read_line();
-  std::string how_it_ended() const;
+  std::string reason_of_exit() const;
   void start();
   void stop();
 
   std::vector<std::string> command_;
   double allowance_;
-  double lost_seconds_ = 0;
+  double used_seconds_ = 0;
   int n_answers_ = 0;
   int n_starts_left_ = 3;
   pid_t process_ = -1;
@@ -56,8 +59,8 @@ class StudentProgram {
   std::set<std::string> slow_tasks_;
 };
 
-/// The numbers of a line of decimal numbers with blanks between them; "nan" and "inf" are numbers.
-/// Throws NoAnswer for anything else, and if there is none.
+/// Reads a line of decimal numbers separated by blanks; "nan" and "inf" are numbers. Throws
+/// NoAnswer for anything else and for an empty line.
 Numbers numbers_of_line(const std::string& line);
 
 }  // namespace judge

@@ -25,7 +25,7 @@ Numbers answer_of(const Program& program, const std::string& task, const Numbers
     throw NoAnswer("task " + task + ": no number is finite");
   }
   if (greatest(numbers) == 0) throw NoAnswer("task " + task + ": all finite numbers are zero");
-  // No comparison holds for a NaN, but some hold for an infinity.
+  // No comparison with a NaN holds, but some comparisons with an infinity do.
   std::replace_if(
       numbers.begin(), numbers.end(), [](double number) { return !is_finite(number); },
       std::numeric_limits<double>::quiet_NaN());

@@ -7,10 +7,10 @@
 
 namespace sys {
 
-/// A field of a CSV file (RFC 4180), in quotes where it needs them to be read back as it is.
+/// Formats a field of a CSV file (RFC 4180), in quotes if it contains special characters.
 std::string csv_field(std::string_view text);
 
-/// Such fields in a line, with its end.
+/// Formats a line of a CSV file, including the line end.
 std::string csv_line(const std::vector<std::string>& fields);
 
 }  // namespace sys

@@ -55,7 +55,7 @@ Decimal shortest(double number) {
 double number_of(const Decimal& number) {
   const std::string text =
       fmt::format("{}{}e{}", number.negative ? "-" : "", number.digits, number.place);
-  // std::from_chars calls too small what it calls too large.
+  // std::from_chars reports the same error for too small and too large numbers.
   if (const auto value = parsed<double>(text)) return *value;
   const bool is_tiny = number.place + static_cast<int>(number.digits.size()) < 0;
   const double magnitude = is_tiny ? 0 : std::numeric_limits<double>::infinity();

@@ -9,8 +9,8 @@
 
 namespace sys {
 
-/// The number that the whole text spells, whatever the locale says; none if the text is anything
-/// else, or a number beyond the range of the type.
+/// Parses a text that consists of a number only, in any locale. Returns none if the text contains
+/// anything else or the number is beyond the range of the type.
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
   Number number{};
@@ -20,24 +20,23 @@ std::optional<Number> parsed(std::string_view text) {
   return number;
 }
 
-/// A decimal number: ± digits · 10^place, where `place` is that of the last digit.
+/// A decimal number: ± digits · 10^place, where `place` is the exponent of the last digit.
 ///
-/// `digits` has no leading zero, except that zero itself is "0"; zero has no sign.
+/// `digits` has no leading zeros, except that zero is "0"; zero has no sign.
 struct Decimal {
   bool negative = false;
   std::string digits = "0";
   int place = 0;
 };
 
-/// Reads a decimal number, with a sign, a point and an exponent or without, and keeps all its
-/// digits: "-1.50e3" is −150 · 10^1. None if the text is anything else.
+/// Parses a decimal number with an optional sign, point and exponent, and keeps all digits:
+/// "-1.50e3" is −150 · 10^1. Returns none for any other text.
 std::optional<Decimal> parse_decimal(std::string_view text);
 
-/// The fewest digits that read back as the same double, which is finite; none of them is a zero at
-/// the end.
+/// The fewest digits that identify a finite double, without trailing zeros.
 Decimal shortest(double number);
 
-/// The double nearest to a decimal number; infinite if that is beyond the range of a double.
+/// The double nearest to a decimal number; infinity beyond the range of doubles.
 double number_of(const Decimal& number);
 
 }  // namespace sys

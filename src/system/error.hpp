@@ -9,13 +9,13 @@ namespace sys {
 /// The exit status of a program.
 enum class ExitCode : int {
   success = 0,
-  failed = 1,       ///< a check or a claim did not hold, or a computation failed
-  bad_input = 2,    ///< a flag, a file or a folder that the user gave is wrong
-  tool_failed = 3,  ///< gnuplot or a different outside tool is missing or failed
+  failed = 1,       ///< a check or a claim does not hold, or a computation failed
+  bad_input = 2,    ///< a flag, a file or a folder of the user is wrong
+  tool_failed = 3,  ///< an external tool such as gnuplot is missing or failed
 };
 
-/// An error that the user can do something about. what() is the message for standard error, without
-/// the program's name; exit_code() is the program's exit status if nothing handles the error.
+/// An error that the user can act on. what() is the message for standard error, without the name of
+/// the program; exit_code() is the exit code of the program if nothing handles the error.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode exit_code, const std::string& message)
@@ -27,7 +27,7 @@ class Error : public std::runtime_error {
   ExitCode exit_code_;
 };
 
-/// Something that the user gave is wrong.
+/// An input of the user is wrong.
 class InputError : public Error {
  public:
   explicit InputError(const std::string& message) : Error(ExitCode::bad_input, message) {}
@@ -39,13 +39,13 @@ class OutputError : public InputError {
   using InputError::InputError;
 };
 
-/// A different program, such as gnuplot, is missing or failed.
+/// An external program such as gnuplot is missing or failed.
 class ToolError : public Error {
  public:
   explicit ToolError(const std::string& message) : Error(ExitCode::tool_failed, message) {}
 };
 
-/// A computation did not reach its result although its input was allowed.
+/// A computation failed although its input is allowed.
 class ComputationError : public Error {
  public:
   explicit ComputationError(const std::string& reason)

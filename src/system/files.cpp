@@ -14,7 +14,7 @@ namespace sys {
 namespace fs = std::filesystem;
 namespace {
 
-/// An error that names the file and, if there is one, the system's reason.
+/// Makes an error that names the file and the system's reason, if there is one.
 OutputError failure(std::string_view what, const fs::path& file, std::error_code reason = {}) {
   const std::string why = reason ? fmt::format(": {}", reason.message()) : "";
   return OutputError(fmt::format("cannot {} '{}'{}", what, file.string(), why));
@@ -24,7 +24,7 @@ std::error_code last_error() {
   return {errno, std::generic_category()};
 }
 
-/// Writes a new file; the system's reason if that fails, such as a full disk.
+/// Writes a new file. Returns the system's reason if that fails, such as a full disk.
 std::error_code write_whole(const fs::path& file, std::string_view text) {
   const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (opened < 0) return last_error();
@@ -39,7 +39,7 @@ std::error_code write_whole(const fs::path& file, std::string_view text) {
       return error;
     }
   }
-  // A disk that other machines share may tell only here that it is full.
+  // A network file system may report only here that it is full.
   return ::close(opened) == 0 ? std::error_code() : last_error();
 }
 

@@ -10,24 +10,24 @@
 
 namespace sys {
 
-/// Reads a whole file; throws OutputError naming it if it cannot be read.
+/// Reads a whole file. Throws OutputError with its name if that fails.
 std::string read_file(const std::filesystem::path& file);
 
-/// Writes a new file beside this one and renames it, so that readers see the old text or the new
-/// one and never a part. Makes the folder if it is missing. Throws OutputError naming the file.
+/// Writes a new file and renames it to this one, so that readers see either the old or the new
+/// text. Creates the folder if it is missing. Throws OutputError with the name of the file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view text);
 
-/// Does as write_file_atomically, unless the file holds this text already: then it keeps its time
-/// stamp. Returns whether it was written.
+/// Calls write_file_atomically unless the file already contains this text, so that an unchanged
+/// file keeps its time stamp. Returns whether the file was written.
 bool write_if_changed(const std::filesystem::path& file, std::string_view text);
 
-/// Removes a file if it is there; throws OutputError naming it if that fails.
+/// Removes a file if it exists. Throws OutputError with its name if that fails.
 void remove_file(const std::filesystem::path& file);
 
-/// A file descriptor, closed at the end of its scope.
+/// A file descriptor that is closed at the end of its scope.
 class Descriptor {
  public:
-  /// Takes over an open descriptor; −1 stands for none.
+  /// Takes ownership of an open descriptor; −1 means none.
   explicit Descriptor(int number = -1) : number_(number) {}
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {

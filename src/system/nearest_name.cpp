@@ -10,7 +10,7 @@
 namespace sys {
 namespace {
 
-/// Counts the single-letter edits that turn one text into the other (Levenshtein's distance).
+/// Counts the single-letter edits that turn `a` into `b` (Levenshtein distance).
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -7,12 +7,12 @@
 
 namespace sys {
 
-/// The name that is nearest to an unknown one by single-letter edits; none if more than a third of
-/// the letters, and more than two, or all would have to change.
+/// Finds the name that is most similar to an unknown one, by the number of single-letter edits.
+/// Returns none if this number exceeds both two and a third of the letters, or if all differ.
 std::optional<std::string> nearest_name(const std::string& unknown,
                                         const std::set<std::string>& names);
 
-/// «, did you mean 'x'?» with that name; empty if there is none.
+/// Returns «, did you mean 'x'?» with that name; empty if there is none.
 std::string suggestion(const std::string& unknown, const std::set<std::string>& names);
 
 }  // namespace sys

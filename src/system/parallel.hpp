@@ -10,9 +10,9 @@
 
 namespace sys {
 
-/// Calls work(0), …, work(n − 1), at most `n_jobs` of them at the same time (0 stands for the
-/// number of cores), and returns when all are done. If some throw, throws the exception of the
-/// lowest index, so that it is the same in every run.
+/// Calls work(0), …, work(n − 1), at most `n_jobs` of them at the same time (0 means the number of
+/// cores), and returns when all have ended. Of several exceptions it throws the one with the lowest
+/// index, so that every run throws the same.
 template <class Work>
 void for_each_parallel(std::size_t n, std::size_t n_jobs, const Work& work) {
   std::vector<std::exception_ptr> errors(n);

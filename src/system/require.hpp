@@ -8,8 +8,8 @@
 
 namespace sys {
 
-/// A quantity is outside the range that a formula or method allows. what() is one line:
-/// «quantity = value: must be allowed».
+/// A quantity is outside the range that a formula or method allows. what() is the line
+/// «quantity = value: must be ALLOWED».
 class InvalidQuantity : public InputError {
  public:
   InvalidQuantity(std::string_view quantity, double value, std::string_view allowed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The characters of a text, whatever the locale is, and its lines.
+// Characters and lines of a text, independent of the locale.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace sys {
 
-/// These three are of ASCII.
+/// These three functions know ASCII only.
 constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -21,13 +21,13 @@ constexpr bool is_alphanumeric(char c) {
   return is_letter(c) || is_digit(c);
 }
 
-/// Splits a text into lines, without their ends "\n" or "\r\n". No line follows the last line end.
+/// Splits a text into lines without their ends "\n" or "\r\n". A final line end starts no line.
 std::vector<std::string_view> lines_of(std::string_view text);
 
 /// Removes blanks, tabs and line ends from both ends of a text.
 std::string_view stripped(std::string_view text);
 
-/// Puts a text into one line: its words with a blank between them.
+/// Returns the words of a text in one line, separated by one blank.
 std::string one_line(std::string_view text);
 
 }  // namespace sys

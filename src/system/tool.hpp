@@ -6,7 +6,7 @@
 
 namespace sys {
 
-/// Finds a program in the folders of PATH. Throws ToolError that names it if it is in none of them.
+/// Finds a program in the folders of PATH. Throws ToolError with its name if it is not there.
 std::filesystem::path find_tool(const std::string& program);
 
 }  // namespace sys

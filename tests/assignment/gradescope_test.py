@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is packed for Gradescope grades there, and gives nothing away. gradescope_test.py ROOT JUDGE"""
+"""The zip for Gradescope grades submissions and contains no secrets but the salt. gradescope_test.py ROOT JUDGE"""
 import ast
 import json
 import os
@@ -42,7 +42,7 @@ class Gradescope(unittest.TestCase):
         with zipfile.ZipFile(cls.autograder / "autograder.zip") as packed:
             packed.extractall(cls.autograder / "source")
             cls.modes = {info.filename: info.external_attr >> 16 & 0o777 for info in packed.infolist()}
-        # As Gradescope does, which keeps the rights of the files.
+        # Gradescope keeps the permissions of the files.
         for name, mode in cls.modes.items():
             os.chmod(cls.autograder / "source" / name, mode)
 
@@ -52,55 +52,55 @@ class Gradescope(unittest.TestCase):
         return done.returncode, done.stdout + done.stderr
 
     def graded(self, files):
-        """Exit code, output, and the results of a submission."""
+        """Grades a submission. Returns the exit code, the output and the results."""
         shutil.rmtree(self.autograder / "submission")
         write(files, self.autograder / "submission")
         (self.autograder / "results/results.json").unlink(missing_ok=True)
-        status, said = self.run_there("grade")
+        status, output = self.run_there("grade")
         results = self.autograder / "results/results.json"
-        return status, said, json.loads(results.read_text()) if results.exists() else None
+        return status, output, json.loads(results.read_text()) if results.exists() else None
 
-    def test_it_grades_and_a_submission_reaches_neither_salt_nor_results(self):
+    def test_it_grades_and_a_submission_cannot_reach_salt_or_results(self):
         if os.geteuid() != 0:
-            self.skipTest("only root can become a user without rights, as on Gradescope")
+            self.skipTest("only root can become an unprivileged user, as on Gradescope")
         self.assertEqual(self.run_there("setup"), (0, ""))
 
-        status, said, results = self.graded(SOLUTION)
-        self.assertEqual((status, results["score"]), (0, ASSIGNMENT.points), said)
+        status, output, results = self.graded(SOLUTION)
+        self.assertEqual((status, results["score"]), (0, ASSIGNMENT.points), output)
         self.assertEqual(results["stdout_visibility"], "hidden")
         self.assertTrue(all(test["output"] == "" for test in results["tests"]))
 
-        status, said, results = self.graded({**SOLUTION, "src/closed_form.cpp": READS_SALT.replace("@", str(self.autograder))})
-        self.assertEqual((status, sum(test["score"] for test in results["tests"][:5])), (0, 0), said)
+        status, output, results = self.graded({**SOLUTION, "src/closed_form.cpp": READS_SALT.replace("@", str(self.autograder))})
+        self.assertEqual((status, sum(test["score"] for test in results["tests"][:5])), (0, 0), output)
         self.assertGreater(results["score"], 60)
-        self.assertIn("0 of 7  gradient-reference", said)
+        self.assertIn("0 of 7  gradient-reference", output)
         self.assertNotIn("right to", json.dumps(results))
 
-        status, said, results = self.graded({"thesis.pdf": "x"})
-        self.assertEqual((status, results["score"]), (0, 0), said)
+        status, output, results = self.graded({"thesis.pdf": "x"})
+        self.assertEqual((status, results["score"]), (0, 0), output)
         self.assertIn("Nothing can be graded: none of the files src/closed_form.cpp", results["output"])
 
         (self.autograder / "source/judge").write_text("#!/bin/sh\nexit 3\n")
-        status, said, results = self.graded(SOLUTION)
+        status, output, results = self.graded(SOLUTION)
         self.assertEqual((status, results), (3, None))
-        self.assertIn("the grader failed: judge failed (3)", said)
+        self.assertIn("the grader failed: judge failed (3)", output)
 
-    def test_the_zip_holds_no_solution_and_no_source_of_a_hidden_check(self):
+    def test_the_zip_contains_no_solution_and_no_source_of_a_hidden_check(self):
         source = self.autograder / "source"
         hidden = [*ROOT.glob("src/assignment/exercises/*_hidden.cpp"), *ROOT.glob("src/assignment/hidden/*.?pp")]
         public = [*ROOT.glob("src/assignment/exercises/*.hpp"), *ROOT.glob("src/assignment/given/*")]
         secrets = proof.secrets_of(ASSIGNMENT, PROJECT, hidden, public)
         for check in ASSIGNMENT.checks:
-            secrets.pop(check.id, None)  # students see these with their points
+            secrets.pop(check.id, None)  # students see these ids with their points
         texts = {name: (source / name).read_bytes().decode("latin-1") for name in self.modes}
         self.assertEqual(proof.leaks(texts, secrets), [])
         self.assertEqual((self.modes["setup.sh"], self.modes["run_autograder"], self.modes["judge"], self.modes["salt"]), (0o755, 0o755, 0o755, 0o644))
 
     def test_the_judge_needs_no_library(self):
-        said = subprocess.run(["ldd", self.autograder / "source/judge"], capture_output=True, text=True, check=False)
-        self.assertIn("not a dynamic executable", said.stdout + said.stderr)
+        output = subprocess.run(["ldd", self.autograder / "source/judge"], capture_output=True, text=True, check=False)
+        self.assertIn("not a dynamic executable", output.stdout + output.stderr)
 
-    def test_what_runs_there_is_python_3_10(self):
+    def test_its_scripts_are_python_3_10(self):
         for path in (self.autograder / "source/course").glob("*.py"):
             tree = ast.parse(path.read_text(encoding="utf-8"), feature_version=(3, 10))
             imported = {name.name for node in tree.body if isinstance(node, ast.Import) for name in node.names}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the files of the assignment must be, as far as it shows without a compiler."""
+"""The files of the assignment are consistent; these tests need no compiler."""
 import unittest
 
 import real_assignment
@@ -9,7 +9,7 @@ HANDOUT = {name: file.handout for name, file in PROJECT.items()}
 
 
 class Handout(unittest.TestCase):
-    def test_each_exercise_is_in_every_list(self):
+    def test_every_list_contains_each_exercise(self):
         for exercise in ASSIGNMENT.exercise:
             self.assertIn("YOUR SOLUTION HERE", HANDOUT[exercise.file])
             for name, line in (("CMakeLists.txt", f"  {exercise.file}\n"), ("src/assignment.hpp", f'#include "assignment/exercises/{exercise.id}.hpp"\n'),
@@ -17,10 +17,10 @@ class Handout(unittest.TestCase):
                                ("provided/checks.cpp", f'{{"{exercise.id}", bound({exercise.id}::public_checks(), own), {{}}}},')):
                 self.assertIn(line, HANDOUT[name])
 
-    def test_it_names_neither_a_hidden_check_nor_a_wrong_solution(self):
+    def test_it_does_not_name_hidden_checks_or_wrong_solutions(self):
         hidden = [check.id for check in ASSIGNMENT.checks if not check.is_public]
         for name, text in HANDOUT.items():
-            for secret in [*hidden, *(wrong.says for wrong in WRONG), *(wrong.id for wrong in WRONG if "-" in wrong.id)]:
+            for secret in [*hidden, *(wrong.description for wrong in WRONG), *(wrong.id for wrong in WRONG if "-" in wrong.id)]:
                 self.assertNotIn(secret, text, name)
 
     def test_the_workflow_is_an_ordinary_one(self):
@@ -29,17 +29,17 @@ class Handout(unittest.TestCase):
 
 
 class Points(unittest.TestCase):
-    def test_public_checks_have_forty_points_at_most(self):
+    def test_public_checks_have_at_most_forty_points(self):
         self.assertLessEqual(sum(check.points for check in ASSIGNMENT.checks if check.is_public), 40)
 
-    def test_every_exercise_is_made_wrong_twice_and_every_mistake_costs_points(self):
+    def test_every_exercise_has_two_wrong_solutions_and_each_costs_points(self):
         for exercise in ASSIGNMENT.exercise:
             self.assertGreaterEqual(sum(change["file"] == exercise.file for wrong in WRONG for change in wrong.change), 2)
         self.assertGreaterEqual(len(WRONG), 25)
         for wrong in WRONG:
             self.assertLess(wrong.points, ASSIGNMENT.points, wrong.id)
 
-    def test_numbers_without_a_theory_score_nothing(self):
+    def test_solutions_without_theory_score_nothing(self):
         for wrong in WRONG:
             if wrong.id in ("constants", "no-formula"):
                 self.assertEqual(wrong.points, 0)
@@ -47,12 +47,12 @@ class Points(unittest.TestCase):
 
 
 class Guide(unittest.TestCase):
-    def test_it_is_short_and_begins_with_what_must_stay_secret(self):
+    def test_it_is_short_and_begins_with_the_warning_about_public_copies(self):
         lines = (FOLDER / "INSTRUCTORS.md").read_text(encoding="utf-8").splitlines()
         self.assertLessEqual(len(lines), 150)
         self.assertIn("contains the solution and the hidden checks, so a public copy", lines[2])
 
-    def test_every_file_that_it_names_is_there(self):
+    def test_every_file_that_it_names_exists(self):
         text = (FOLDER / "INSTRUCTORS.md").read_text(encoding="utf-8")
         for name in ("report/assignment/template", "report/assignment/assignment.toml", "report/assignment/sheet.tex",
                      "report/assignment/wrong_solutions.toml", "src/assignment", "src/course/course.py", "src/assignment/exercises",

@@ -32,7 +32,7 @@ void require_failed(const Program& program, const std::set<std::string>& expecte
   BOOST_TEST(found == expected, boost::test_tools::per_element());
 }
 
-// Programs that are wrong in every task, each of them in a different way.
+// Programs that are wrong in every task, each in a different way.
 std::vector<Program> wrong_programs() {
   std::vector<Program> list;
   for (const double factor : {-1., 2., 1 + 1e-5}) {
@@ -47,11 +47,11 @@ std::vector<Program> wrong_programs() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(right_functions_pass_every_check_whatever_the_numbers) {
+BOOST_AUTO_TEST_CASE(correct_functions_pass_every_check_with_any_numbers) {
   programs::require_right(Kind::hidden_checks);
 }
 
-BOOST_AUTO_TEST_CASE(a_wrong_factor_counts_nothing) {
+BOOST_AUTO_TEST_CASE(a_wrong_factor_scores_almost_nothing) {
   for (const double factor : {-1., 2., 1.001}) {
     for (const auto& [task, ids] : std::map<std::string, std::set<std::string>>{
              {"gradient", {"gradient-far-digits", "gradient-reference"}},
@@ -61,21 +61,21 @@ BOOST_AUTO_TEST_CASE(a_wrong_factor_counts_nothing) {
              {"contact", {"contact-half-width", "contact-reference"}}}) {
       const auto found = shares(scaled(task, factor));
       for (const std::string& id : ids) {
-        // The slope far off is within the tolerance of any small slope.
+        // Far away the slope is smaller than the tolerance.
         BOOST_TEST(found.at(id) < 0.2, task << " times " << factor << ", " << id);
       }
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(each_task_is_marked_for_itself) {
+BOOST_AUTO_TEST_CASE(each_task_is_graded_separately) {
   require_failed(scaled("gradient", 2), {"gradient-far-digits", "gradient-reference"});
   require_failed(scaled("displacement", 2), {"displacement-other", "displacement-reference"});
   require_failed(scaled("influence", 2), {"influence-far", "influence-reference"});
   require_failed(scaled("contact", 2), {"contact-half-width", "contact-reference"});
 }
 
-BOOST_AUTO_TEST_CASE(an_error_is_honest_only_if_it_covers_the_truth_and_says_something) {
+BOOST_AUTO_TEST_CASE(an_error_must_cover_the_true_slope_and_be_small) {
   for (const double claimed : {0., 1.}) {
     const Program claiming = spoiled("gradient_by_quadrature", [=](Numbers& out) {
       for (std::size_t i = 1; i < out.size(); i += 2) out[i] = claimed;
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(an_error_is_honest_only_if_it_covers_the_truth_and_says_som
   }
 }
 
-BOOST_AUTO_TEST_CASE(an_error_that_is_the_same_everywhere_is_no_estimate) {
+BOOST_AUTO_TEST_CASE(an_error_that_is_the_same_everywhere_is_not_an_estimate) {
   require_failed(spoiled("gradient_by_quadrature",
                          [](Numbers& out) {
                            double greatest = 0;
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(an_error_that_is_the_same_everywhere_is_no_estimate) {
                  {"quadrature-honest"});
 }
 
-BOOST_AUTO_TEST_CASE(an_error_may_have_a_small_least_value) {
+BOOST_AUTO_TEST_CASE(an_error_may_have_a_small_minimum) {
   const Program floored = spoiled("gradient_by_quadrature", [](Numbers& out) {
     double greatest = 0;
     for (std::size_t i = 0; i < out.size(); i += 2) {
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(an_error_may_have_a_small_least_value) {
   require_failed(floored, {});
 }
 
-BOOST_AUTO_TEST_CASE(a_contact_that_takes_the_second_body_for_the_first_is_wrong_for_other_pairs) {
+BOOST_AUTO_TEST_CASE(a_contact_that_uses_the_first_material_twice_is_wrong_for_other_pairs) {
   const Program one_body = misled("contact", [](Numbers& in) {
     in[3] = in[0];
     in[4] = in[1];
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_takes_the_second_body_for_the_first_is_wrong
   BOOST_TEST(found.at("contact-half-width") < 1);
 }
 
-// A program that answers exercises 2 and 3 by exercise 1.
+// A program that uses the formula of exercise 1 for exercises 2 and 3.
 Numbers without_quadrature(const std::string& task, const Numbers& in) {
   if (task != "gradient_by_quadrature" && task != "displacement") return programs::right(task, in);
   Numbers triangle = in;
@@ -125,7 +125,7 @@ Numbers without_quadrature(const std::string& task, const Numbers& in) {
   return programs::right(task, triangle);
 }
 
-BOOST_AUTO_TEST_CASE(a_closed_form_for_the_triangle_gets_little_for_any_load) {
+BOOST_AUTO_TEST_CASE(the_closed_form_for_the_triangle_scores_little_for_other_loads) {
   for (const assignment::OwnNumbers& own : programs::some_numbers()) {
     for (const char* id : {"quadrature-reference", "quadrature-honest", "displacement-reference",
                            "displacement-other"}) {
@@ -134,7 +134,8 @@ BOOST_AUTO_TEST_CASE(a_closed_form_for_the_triangle_gets_little_for_any_load) {
   }
 }
 
-// A program that knows the shapes which the handout names, and takes any other for one of them.
+// A program that knows only the pressures named in the handout, and mistakes others for one of
+// them.
 Numbers with_remembered_shapes(const std::string& task, const Numbers& in) {
   if (task != "gradient_by_quadrature" && task != "displacement") return programs::right(task, in);
   Numbers known = in;
@@ -142,7 +143,7 @@ Numbers with_remembered_shapes(const std::string& task, const Numbers& in) {
   return programs::right(task, known);
 }
 
-BOOST_AUTO_TEST_CASE(remembered_shapes_miss_the_waves) {
+BOOST_AUTO_TEST_CASE(a_program_that_knows_only_the_named_pressures_fails_for_waves) {
   for (const assignment::OwnNumbers& own : programs::some_numbers()) {
     for (const char* id : {"quadrature-reference", "quadrature-honest", "displacement-reference"}) {
       BOOST_TEST(programs::share(id, with_remembered_shapes, own) < 0.85, id);
@@ -150,18 +151,18 @@ BOOST_AUTO_TEST_CASE(remembered_shapes_miss_the_waves) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(digits_that_are_lost_far_away_cost_a_part_only) {
+BOOST_AUTO_TEST_CASE(digits_lost_far_away_cost_only_part_of_the_points) {
   const Program losing = spoiled("influence", [](Numbers& out) { out.back() *= 1 + 1e-7; });
   const auto found = shares(losing);
   BOOST_TEST(found.at("influence-far") == 0.8);
   BOOST_TEST(found.at("influence-reference") == 0.9);
 }
 
-// So no message has a number that depends on the right one.
-BOOST_AUTO_TEST_CASE(messages_are_the_same_however_wrong_the_numbers_are) {
+// A message that depended on the size of the error would reveal the correct number.
+BOOST_AUTO_TEST_CASE(messages_do_not_depend_on_the_size_of_the_error) {
   const auto programs = wrong_programs();
   for (const auto& check : programs::all(Kind::hidden_checks)) {
-    if (check.id == "quadrature-honest") continue;  // its reported errors change with the factor
+    if (check.id == "quadrature-honest") continue;  // the factor also changes its reported errors
     const std::string message = programs::outcome_of(check, programs[0]).message;
     BOOST_TEST(!message.empty(), check.id);
     BOOST_TEST(programs::outcome_of(check, programs[1]).message == message, check.id);

@@ -23,12 +23,12 @@ bool is_valid_with(double OwnNumbers::*quantity, double value) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_papers_own_case_is_valid_and_belongs_to_no_id) {
+BOOST_AUTO_TEST_CASE(the_case_of_the_paper_is_valid_and_used_without_an_id) {
   BOOST_TEST(is_valid(nominal_numbers()));
   BOOST_TEST(lines_of(own_numbers("")) == lines_of(nominal_numbers()));
 }
 
-BOOST_AUTO_TEST_CASE(numbers_follow_from_the_id_on_every_machine) {
+BOOST_AUTO_TEST_CASE(an_id_gives_the_same_numbers_on_every_machine) {
   BOOST_TEST(lines_of(own_numbers("ada@uni.edu")) ==
              "young1 1.34e+11 Pa\n"
              "poisson1 0.4 \n"
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(numbers_follow_from_the_id_on_every_machine) {
              "datum 0.2 m\n");
 }
 
-BOOST_AUTO_TEST_CASE(case_and_blanks_of_an_id_do_not_count) {
+BOOST_AUTO_TEST_CASE(case_and_blanks_in_an_id_do_not_matter) {
   BOOST_TEST(lines_of(own_numbers(" Ada@Uni.edu\n")) == lines_of(own_numbers("ada@uni.edu")));
 }
 
@@ -58,14 +58,14 @@ BOOST_AUTO_TEST_CASE(three_hundred_students_have_different_valid_numbers) {
   BOOST_TEST(seen.size() == 300U);
 }
 
-BOOST_AUTO_TEST_CASE(the_grid_ends_just_outside_the_contact) {
+BOOST_AUTO_TEST_CASE(the_grid_must_extend_a_little_beyond_the_contact) {
   BOOST_TEST(!is_valid_with(&OwnNumbers::nodes, 81));
   BOOST_TEST(!is_valid_with(&OwnNumbers::nodes, 141));
   BOOST_TEST(!is_valid_with(&OwnNumbers::spacing, 14e-6));
   BOOST_TEST(!is_valid_with(&OwnNumbers::line_load, 60e3));
 }
 
-BOOST_AUTO_TEST_CASE(the_pressure_strains_no_metal_beyond_its_linear_range) {
+BOOST_AUTO_TEST_CASE(strains_beyond_the_linear_range_are_invalid) {
   OwnNumbers numbers = nominal_numbers();
   numbers.line_load *= 100;
   numbers.spacing *= 10;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all checks make of answers that are no numbers, or too many.
+// The outcomes of all checks for answers with NaNs, infinities or a wrong length.
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <set>
@@ -19,7 +19,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The right answers, all of which are changed in the same way.
+// A correct program, except that every answer is changed in the same way.
 Program changed(const std::function<void(Numbers&)>& change) {
   return [=](const std::string& task, const Numbers& in) {
     Numbers out = programs::right(task, in);
@@ -42,7 +42,7 @@ void require_nothing(const Program& program) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(answers_without_a_number_or_of_another_length_count_nothing) {
+BOOST_AUTO_TEST_CASE(answers_without_a_number_or_with_a_wrong_length_score_nothing) {
   require_nothing(changed([](Numbers& out) { out.assign(out.size(), not_a_number); }));
   require_nothing(changed([](Numbers& out) { out.assign(out.size(), -infinity); }));
   require_nothing(changed([](Numbers& out) { out.assign(out.size(), 0); }));
@@ -50,8 +50,8 @@ BOOST_AUTO_TEST_CASE(answers_without_a_number_or_of_another_length_count_nothing
   require_nothing(changed([](Numbers& out) { out.clear(); }));
 }
 
-BOOST_AUTO_TEST_CASE(a_nan_or_infinity_at_one_place_costs_at_least_that_place) {
-  // These do not look at the approach, with which the answer of a contact begins.
+BOOST_AUTO_TEST_CASE(a_nan_or_infinity_affects_only_checks_that_use_it) {
+  // These ignore the approach, which is the first number of the answer.
   const std::set<std::string> others = {"contact-convergence", "contact-load", "contact-pressure",
                                         "contact-reference", "contact-scaling"};
   for (const double bad : {not_a_number, infinity, -infinity}) {
@@ -63,13 +63,13 @@ BOOST_AUTO_TEST_CASE(a_nan_or_infinity_at_one_place_costs_at_least_that_place) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_nan_at_one_place_does_not_cost_the_others) {
+BOOST_AUTO_TEST_CASE(a_nan_at_one_place_does_not_affect_other_places) {
   BOOST_TEST(share("gradient-reference", with_first(not_a_number)) == 0.9);
   BOOST_TEST(share("influence-reference", with_first(not_a_number)) == 0.9);
   BOOST_TEST(share("quadrature-residual", with_first(not_a_number)) >= 0.8);
 }
 
-BOOST_AUTO_TEST_CASE(a_contact_without_a_half_width_keeps_the_points_of_its_pressure) {
+BOOST_AUTO_TEST_CASE(a_contact_without_a_half_width_keeps_the_points_for_the_pressure) {
   const Program program = programs::spoiled("contact", [](Numbers& out) { out[1] = not_a_number; });
 
   BOOST_TEST(share("contact-load", program) == 1);
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_contact_without_a_half_width_keeps_the_points_of_its_pres
   BOOST_TEST(share("contact-half-width", program) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_pressure_with_a_nan_is_not_nowhere_negative) {
+BOOST_AUTO_TEST_CASE(a_pressure_with_a_nan_fails_the_checks_that_use_it) {
   const Program program = programs::spoiled("contact", [](Numbers& out) { out[9] = not_a_number; });
 
   for (const char* id : {"contact-load", "contact-gap", "contact-reference"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs as students write them: the reference answers the tasks, rightly or with a planted
+// Students' programs for tests: the reference answers the tasks, correctly or with a planted
 // mistake.
 #pragma once
 
@@ -24,7 +24,7 @@ inline Numbers from(const Numbers& in, std::size_t first) {
   return {in.begin() + static_cast<std::ptrdiff_t>(first), in.end()};
 }
 
-/// The right program, by the reference.
+/// The correct program, which uses the reference.
 inline Numbers right(const std::string& task, const Numbers& in) {
   Numbers out;
   if (task == "gradient") {
@@ -51,10 +51,10 @@ inline Numbers right(const std::string& task, const Numbers& in) {
         {in[0], in[1], in[2], in[3], in[4], in[5], in[6], in[7], static_cast<int>(in[8]), in[9]});
     return judge::joined({contact.approach, contact.half_width}, contact.pressure);
   }
-  throw std::logic_error("no task " + task);
+  throw std::logic_error("unknown task " + task);
 }
 
-/// The right program, except that `spoil` changes the answer of one task.
+/// The correct program, except that `spoil` changes the answer of one task.
 inline Program spoiled(const std::string& task, const std::function<void(Numbers&)>& spoil) {
   return [=](const std::string& asked, const Numbers& in) {
     Numbers out = right(asked, in);
@@ -63,7 +63,7 @@ inline Program spoiled(const std::string& task, const std::function<void(Numbers
   };
 }
 
-/// The right program, except that one task is given different inputs.
+/// The correct program, except that `mislead` changes the inputs of one task.
 inline Program misled(const std::string& task, const std::function<void(Numbers&)>& mislead) {
   return [=](const std::string& asked, Numbers in) {
     if (asked == task) mislead(in);
@@ -71,7 +71,7 @@ inline Program misled(const std::string& task, const std::function<void(Numbers&
   };
 }
 
-/// The right program, except that the answers of one task are multiplied by a factor.
+/// The correct program, except that the answers of one task are multiplied by a factor.
 inline Program scaled(const std::string& task, double factor) {
   return spoiled(task, [=](Numbers& out) { out = judge::times(factor, out); });
 }
@@ -98,7 +98,7 @@ inline assignment::Check check_of(const std::string& id) {
   throw std::out_of_range(id);
 }
 
-/// The outcome of a check; what throws NoAnswer counts nothing, as in the judge.
+/// The outcome of a check. As in the judge, a check that throws NoAnswer scores nothing.
 inline judge::Outcome outcome_of(const assignment::Check& check, const Program& program,
                                  const OwnNumbers& own = assignment::nominal_numbers()) {
   try {
@@ -113,7 +113,7 @@ inline double share(const std::string& id, const Program& program,
   return outcome_of(check_of(id), program, own).share;
 }
 
-/// The checks that a program does not pass in full. Each of them must say why.
+/// The checks that a program does not pass completely. Each of them must have a message.
 inline std::set<std::string> failed(Kind kind, const Program& program) {
   std::set<std::string> ids;
   for (const assignment::Check& check : all(kind)) {
@@ -124,13 +124,13 @@ inline std::set<std::string> failed(Kind kind, const Program& program) {
   return ids;
 }
 
-/// The nominal numbers and those of some students.
+/// The nominal numbers and those of three students.
 inline std::vector<OwnNumbers> some_numbers() {
   return {assignment::nominal_numbers(), assignment::own_numbers("ada"),
           assignment::own_numbers("emmy"), assignment::own_numbers("sofja")};
 }
 
-/// Requires that a right program passes all of these checks, whatever the numbers are.
+/// Requires that the correct program passes all checks of this kind with all of some_numbers().
 inline void require_right(Kind kind) {
   for (const OwnNumbers& own : some_numbers()) {
     for (const assignment::Check& check : all(kind)) {

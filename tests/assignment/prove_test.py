@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The real handout is proved from nothing, and its project works at home. prove_test.py ROOT JUDGE"""
+"""The real handout is proved from scratch, and its project works at home. prove_test.py ROOT JUDGE"""
 import os
 import re
 import shutil
@@ -15,18 +15,18 @@ from toy_course import ARGUMENTS, require_bubblewrap, skip, write
 
 
 class Proof(unittest.TestCase):
-    def test_the_handout_is_what_it_must_be(self):
+    def test_all_claims_about_the_handout_hold(self):
         with tempfile.TemporaryDirectory(prefix="course test ") as folder:
             done = subprocess.run([sys.executable, "-B", ROOT / "src/course/course.py", "prove", "--judge", ARGUMENTS[0], "--build", folder,
                                    "--salt-file", f"{folder}/salt.txt"], capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn(f"3. the solution scores all {ASSIGNMENT.points:g} points", done.stdout)
-            self.assertIn(f"4. each of {len(WRONG)} wrong solutions scores what is listed", done.stdout)
+            self.assertIn(f"4. each of {len(WRONG)} wrong solutions scores its listed points", done.stdout)
             self.assertTrue(Path(folder, "handout/sheet.pdf").exists())
 
 
 class AtHome(unittest.TestCase):
-    """The students' project with the solution in it."""
+    """The students' project, with the solution."""
 
     @classmethod
     def setUpClass(cls):
@@ -56,19 +56,19 @@ class AtHome(unittest.TestCase):
         self.build()
 
     def lengths(self):
-        """Half-width and approach as the report prints them."""
+        """Returns half-width and approach as printed in the report."""
         self.run_here("build/figures", "numbers", "ada@uni.edu")
         return re.findall(r"\{([\d.]+)\\,mm\}", (self.folder / "numbers/numbers.tex").read_text())
 
     def test_the_solution_passes_every_public_check(self):
         self.assertIn("100% tests passed, 0 tests failed out of 16", self.run_here("ctest", "--test-dir", "build"))
 
-    def test_a_mistake_is_told_by_its_check(self):
+    def test_a_check_reports_a_mistake(self):
         self.edit("src/influence.cpp", "k = std::abs(k);", "")
         with self.assertRaisesRegex(AssertionError, "influence-shape: .*k and −k give the same"):
             self.run_here("ctest", "--test-dir", "build", "--output-on-failure", "-R", "influence")
 
-    def test_printed_numbers_have_digits_that_a_finer_grid_confirms(self):
+    def test_a_finer_grid_confirms_the_printed_digits(self):
         coarse = self.lengths()
         self.edit("report/figures.cpp", "const exercise::Grid grid{static_cast<int>(std::lround(own.nodes)), own.spacing};",
                   "const exercise::Grid grid{8 * static_cast<int>(std::lround(own.nodes)) - 7, own.spacing / 8};")
@@ -81,5 +81,5 @@ if __name__ == "__main__":
     require_bubblewrap()
     for tool in ("cmake", "latexmk", "gnuplot", "pdftotext"):
         if not shutil.which(tool):
-            skip(f"there is no {tool}")
+            skip(f"{tool} is not installed")
     real_assignment.main()

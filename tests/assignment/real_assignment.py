@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the real assignment share."""
+"""Shared by the tests of the real assignment."""
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "course"))
-import toy_course  # finds src/course
+import toy_course  # adds src/course to the path
 from toy_course import ROOT
 
 import assignment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The finite block: cost against order, refinement and number of unknowns.
+// The finite block: time as a function of order, refinement and number of unknowns.
 #include <benchmark/benchmark.h>
 
 #include "block/analysis.hpp"
@@ -54,7 +54,7 @@ void orders_and_levels(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgNames({"order", "refine"})->Unit(benchmark::kMillisecond);
 }
 
-// All of what the command `block` computes.
+// The complete computation of the command `block`.
 void compute_block(benchmark::State& state) {
   for (auto _ : state) {
     const block::Analysis analysis({2, 1}, material, {load}, discretization(state));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two cylinders: time against the number of nodes, by each method. The domain is 4.1 half-widths.
+// Two cylinders: time as a function of the number of nodes, for each method. The domain is 4.1
+// half-widths.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -67,7 +68,7 @@ void fft(benchmark::State& state) {
   run(state, by_fft);
 }
 
-// The exponent of N in the time from 2^14 to 2^22 nodes: least squares for the best of three.
+// Fits the exponent of N in the time from 2^14 to 2^22 nodes to the best of three runs.
 void fft_exponent(benchmark::State& state) {
   std::vector<double> n;
   std::vector<double> seconds;

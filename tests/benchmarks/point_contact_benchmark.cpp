@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two spheres on N × N nodes, the contact 0.9 of the domain: time and work against N, by nested
-// grids with a preconditioner and by the usual conjugate gradients, with the same elements, grid
-// and tolerance.
+// Two spheres on N × N nodes, with a contact as wide as 0.9 of the domain: time and work as
+// functions of N, for nested grids with a preconditioner and for ordinary conjugate gradients, with
+// the same elements, grid and tolerance.
 #include <benchmark/benchmark.h>
 #include <gsl/gsl_fit.h>
 #include <sys/resource.h>
@@ -22,8 +22,8 @@ using point_contact::Solution;
 constexpr double modulus = 913.7;
 constexpr double curvature = 0.571;
 constexpr double load = 3.461;
-// The tolerance where the two methods are compared: at N = 1024 the variational method spends many
-// products between 1e-7 and 1e-8.
+// The tolerance for comparing the two methods. At N = 1024 the variational method needs many
+// products to get from 1e-7 to 1e-8.
 constexpr double common_tolerance = 1e-7;
 const point_contact::Hertz hertz(modulus, curvature, load);
 
@@ -75,7 +75,7 @@ void spheres_by_variational_method(benchmark::State& state) {
   run(state, point_contact::solve_by_variational_method, common_tolerance);
 }
 
-// The exponent of the number of nodes in the time from 256² to 2048²: least squares.
+// Fits the exponent of the number of nodes in the time from 256² to 2048² nodes.
 void spheres_exponent(benchmark::State& state) {
   std::vector<double> log_n;
   std::vector<double> log_seconds;
@@ -99,16 +99,8 @@ void spheres_exponent(benchmark::State& state) {
   state.counters["exponent"] = slope;
 }
 
-BENCHMARK(spheres_by_fft)
-    ->Arg(128)
-    ->Arg(256)
-    ->Arg(512)
-    ->Arg(1024)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(spheres_by_fft_as_good)
-    ->Arg(256)
-    ->Arg(1024)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_by_fft)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_by_fft_as_good)->Arg(256)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(spheres_by_variational_method)
     ->Arg(256)
     ->Arg(1024)

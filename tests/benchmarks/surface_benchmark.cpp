@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface of a half-space: eq. (2) by quadrature and eq. (3), time and evaluations of the load
-// a point.
+// The surface of a half-space, by quadrature of eq. (2) and by eq. (3): time and evaluations of the
+// load per point.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -25,7 +25,7 @@ std::vector<double> papers_points() {
   return points;
 }
 
-// Points under the load, at its kinks and far from it, as the tests draw them.
+// Points under the load, at its kinks and far from it.
 std::vector<double> random_points() {
   RandomInputs random(2001);
   std::vector<double> points;
@@ -35,7 +35,7 @@ std::vector<double> random_points() {
 
 using Points = std::vector<double> (*)();
 
-// Calls evaluate(x) for all points over and over, and tells the time a point.
+// Calls evaluate(x) repeatedly for all points, and reports the time per point.
 template <class Evaluate>
 void time_points(benchmark::State& state, const std::vector<double>& points, Evaluate&& evaluate) {
   for (auto _ : state) {
@@ -46,7 +46,7 @@ void time_points(benchmark::State& state, const std::vector<double>& points, Eva
       n_points, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-// The load with its evaluations counted.
+// A load that counts its evaluations.
 elasticity::Load counted(const std::shared_ptr<long>& n_evaluations) {
   const elasticity::Load plain = load;
   std::vector<numerics::Piece> pieces;
@@ -59,7 +59,7 @@ elasticity::Load counted(const std::shared_ptr<long>& n_evaluations) {
   return {numerics::PiecewiseFunction(pieces)};
 }
 
-// Times a member of SurfaceQuadrature and, apart from that, counts its evaluations of the load.
+// Times a member of SurfaceQuadrature and separately counts its evaluations of the load.
 template <class Member>
 void time_quadrature(benchmark::State& state, Points points, Member member) {
   const std::vector<double> xs = points();

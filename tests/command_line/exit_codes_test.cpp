@@ -24,12 +24,12 @@ int code_of(const Error& error) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_command_that_returns_decides_itself) {
+BOOST_AUTO_TEST_CASE(the_exit_code_of_a_command_is_returned) {
   BOOST_TEST((command_line::run_guarded([] { return ExitCode::success; }) == ExitCode::success));
   BOOST_TEST((command_line::run_guarded([] { return ExitCode::failed; }) == ExitCode::failed));
 }
 
-BOOST_AUTO_TEST_CASE(bad_input_of_any_kind_is_two) {
+BOOST_AUTO_TEST_CASE(every_kind_of_bad_input_exits_with_2) {
   BOOST_TEST(code_of(sys::InvalidQuantity("young", -1, "greater than 0")) == 2);
   BOOST_TEST(code_of(config::Error("case.toml:1:1: wrong")) == 2);
   BOOST_TEST(code_of(config::UnitError("unknown unit")) == 2);
@@ -37,11 +37,11 @@ BOOST_AUTO_TEST_CASE(bad_input_of_any_kind_is_two) {
   BOOST_TEST(code_of(sys::OutputError("cannot write")) == 2);
 }
 
-BOOST_AUTO_TEST_CASE(a_tool_that_is_missing_or_fails_is_three) {
+BOOST_AUTO_TEST_CASE(a_missing_or_failed_tool_exits_with_3) {
   BOOST_TEST(code_of(sys::ToolError("gnuplot is not installed")) == 3);
 }
 
-BOOST_AUTO_TEST_CASE(a_computation_that_does_not_hold_is_one) {
+BOOST_AUTO_TEST_CASE(a_failed_computation_exits_with_1) {
   BOOST_TEST(code_of(numerics::QuadratureError("did not converge")) == 1);
   BOOST_TEST(code_of(contact::ContactError("did not settle")) == 1);
   BOOST_TEST(code_of(block::FactorizationError("not positive definite")) == 1);

@@ -17,7 +17,7 @@ using config::unit_system;
 
 namespace {
 
-/// The error of reading from this text, without the file's name: «line:column: key: message».
+/// Returns the error from reading this text, without the file's name: «line:column: key: message».
 std::string error_of(const std::string& text, const std::function<void(const Table&)>& read) {
   const TemporaryFolder folder;
   const auto file = folder.write("some case.toml", text);
@@ -35,7 +35,7 @@ void read_length(const Table& table) {
 
 BOOST_AUTO_TEST_SUITE(table_test)
 
-BOOST_AUTO_TEST_CASE(values_are_read_by_their_type) {
+BOOST_AUTO_TEST_CASE(values_of_every_type_are_read) {
   const TemporaryFolder folder;
   const auto file = folder.write("case.toml",
                                  "title = 'x'\ncount = 3\nratio = 1\nlist = [1, 2.5]\n"
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(values_are_read_by_their_type) {
   table.reject_unknown_keys();
 }
 
-BOOST_AUTO_TEST_CASE(a_mistake_is_one_line_with_its_place_and_key) {
+BOOST_AUTO_TEST_CASE(an_error_is_one_line_with_place_and_key) {
   const auto number = [](const Table& t) { t.number("a"); };
   const struct {
     const char* text;
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_mistake_is_one_line_with_its_place_and_key) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_key_that_nobody_asked_for_is_an_error) {
+BOOST_AUTO_TEST_CASE(an_unknown_key_is_an_error) {
   const auto read = [](const Table& t) {
     t.number("length");
     if (t.has("gravity")) t.number("gravity");
@@ -107,11 +107,11 @@ BOOST_AUTO_TEST_CASE(a_key_that_nobody_asked_for_is_an_error) {
   BOOST_TEST(error_of("[t]\na = 1\nlenght = 1\n", [](const Table& t) {
                t.table("t").number("length");
              }) == "3:10: t.length: missing, did you mean 'lenght'?");
-  // A key that is there too is no misspelling of a different one.
+  // A key that exists is not suggested.
   BOOST_TEST(error_of("length = 1\nlength2 = 2\n", read) == "2:1: length2: unknown key");
 }
 
-BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
+BOOST_AUTO_TEST_CASE(an_unreadable_file_is_named) {
   BOOST_TEST(holds(message_of<Error>([] { Table::parse_file("no such file.toml"); }),
                    "cannot read 'no such file.toml'"));
   BOOST_CHECK_THROW(Table::parse_file(TemporaryFolder().path()), Error);

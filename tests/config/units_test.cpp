@@ -14,8 +14,8 @@ using config::UnitError;
 
 BOOST_AUTO_TEST_SUITE(units_test)
 
-// By NIST SP 811 (2008), appendix B: an inch is 0.0254 m, a pound of force 4.4482216152605 N.
-BOOST_AUTO_TEST_CASE(quantities_are_converted_by_the_definitions_of_their_units) {
+// NIST SP 811 (2008), appendix B: 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N.
+BOOST_AUTO_TEST_CASE(conversions_follow_the_definitions_of_the_units) {
   const struct {
     double number;
     const char *from, *to;
@@ -39,14 +39,14 @@ BOOST_AUTO_TEST_CASE(quantities_are_converted_by_the_definitions_of_their_units)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_converted_number_has_no_noise_of_the_conversion) {
+BOOST_AUTO_TEST_CASE(a_converted_number_has_no_rounding_noise) {
   for (int i = 1; i < 1000; ++i) {
     BOOST_TEST(converted(12 * i, "in", "ft") == i);
     BOOST_TEST(converted(254 * i, "mm", "in") == 10 * i);
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_systems_are_coherent) {
+BOOST_AUTO_TEST_CASE(unit_systems_are_coherent) {
   for (const config::UnitSystem& system : config::unit_systems()) {
     BOOST_TEST(converted(1, system.force + "/(" + system.length + ")^2", system.stress) == 1);
     BOOST_TEST(converted(1, system.force + "/(" + system.length + ")", system.line_load) == 1);
@@ -57,21 +57,21 @@ BOOST_AUTO_TEST_CASE(the_systems_are_coherent) {
   BOOST_TEST(config::unit_system("mm-N").stress == "MPa");
 }
 
-BOOST_AUTO_TEST_CASE(what_cannot_be_converted_is_refused) {
+BOOST_AUTO_TEST_CASE(an_impossible_conversion_is_an_error) {
   const auto refused = [](const char* from, const char* to) {
     return message_of<UnitError>([=] { converted(1, from, to); });
   };
   BOOST_TEST(refused("inches of something", "m") == "unknown unit \"inches of something\"");
   BOOST_TEST(refused("N", "m") == "\"N\" cannot be converted into \"m\"");
-  BOOST_TEST(holds(refused("degC", "K"), "\"degC\" is no multiple of \"K\""));
-  BOOST_TEST(holds(refused("Hz", "s"), "\"Hz\" is no multiple of \"s\""));
+  BOOST_TEST(holds(refused("degC", "K"), "\"degC\" is not a multiple of \"K\""));
+  BOOST_TEST(holds(refused("Hz", "s"), "\"Hz\" is not a multiple of \"s\""));
   BOOST_TEST(holds(message_of<UnitError>([] { config::unit_system("cgs"); }),
                    "unknown unit system \"cgs\": must be one of in-lbf, mm-N, m-N"));
   BOOST_TEST(config::is_unit("W/(m2.K)"));
   BOOST_TEST(!config::is_unit("{ }"));
 }
 
-BOOST_AUTO_TEST_CASE(several_threads_may_convert_at_the_same_time) {
+BOOST_AUTO_TEST_CASE(several_threads_can_convert_at_the_same_time) {
   std::vector<double> results(64);
   {
     std::vector<std::jthread> threads;

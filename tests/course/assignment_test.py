@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is wrong in assignment.toml is an error in one line."""
+"""A mistake in assignment.toml is an error of one line."""
 import dataclasses
 import json
 import tempfile
@@ -27,32 +27,32 @@ def error_of(text):
 
 
 class Errors(unittest.TestCase):
-    def test_each_is_named_with_its_place(self):
+    def test_each_mistake_is_named_with_its_place(self):
         for before, after, error in (
                 ('title = "Toy"\n', "", "assignment.toml: the key 'title' is missing"),
                 ('title = "Toy"', 'title = "Toy"\ngrace = 5', "assignment.toml: there is no key 'grace'"),
                 ("processes = 16\n", "", "assignment.toml: limits: the key 'processes' is missing"),
                 ('{id = "sum-right", points = 6', '{id = "sum-right", point = 6', "assignment.toml: check 'sum-right': there is no key 'point'"),
-                ("points = 30", "points = 31", "assignment.toml: the checks have 30 points together, not 31"),
+                ("points = 30", "points = 31", "assignment.toml: the points of all checks add up to 30, not 31"),
                 ('builds_on = ["square"]', 'builds_on = ["sphere"]',
-                 "assignment.toml: exercise 'cube' builds on 'sphere', which is no earlier exercise"),
+                 "assignment.toml: exercise 'cube' builds on 'sphere', which is not an earlier exercise"),
                 ("points = 30", "points = ", "assignment.toml: Invalid value (at line 3, column 10)")):
             with self.subTest(after):
                 self.assertEqual(error_of(TEXT.replace(before, after)), error)
 
-    def test_a_file_that_is_not_there(self):
+    def test_a_missing_file_is_named(self):
         with self.assertRaisesRegex(BadInput, "none.toml: No such file or directory"):
             assignment.read(Path("none.toml"))
 
 
 class Contents(unittest.TestCase):
-    def test_points_files_and_what_an_exercise_builds_on(self):
+    def test_points_files_and_dependencies_are_read(self):
         toy = assignment.read(TOY / "assignment.toml")
         self.assertEqual([(exercise.file, exercise.points) for exercise in toy.exercise],
                          [("src/square.cpp", 10), ("src/sum.cpp", 10), ("src/cube.cpp", 10)])
         self.assertEqual(toy.exercises_behind(toy.exercise[2]), {"square"})
 
-    def test_json_carries_it_to_where_there_is_no_toml(self):
+    def test_an_assignment_survives_the_way_through_json(self):
         toy = assignment.read(TOY / "assignment.toml")
         self.assertEqual(assignment.from_table(json.loads(json.dumps(dataclasses.asdict(toy))), ""), toy)
 

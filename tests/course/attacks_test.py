@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grades, as one class, the submissions of tests/course/attacks: each must get the points of its second line, and harm nobody.
+"""Grades the submissions in tests/course/attacks as one class. Each must score the points in its second line and harm no other.
 
-attacks_test.py ROOT JUDGE MODE: as root or as an ordinary user in bubblewrap, or as root in a container; "quick" takes those
-that end at once, as whoever runs the tests.
+attacks_test.py ROOT JUDGE MODE: MODE "root" and "user" grade with bubblewrap as root and as an ordinary user, "container" as
+root without bubblewrap. "quick" grades with bubblewrap as the current user, and only submissions that take no time.
 """
 import os
 import re
@@ -16,12 +16,12 @@ from toy_course import ARGUMENTS, SOLUTION, Work, require_bubblewrap, skip
 
 JUDGE, MODE = ARGUMENTS
 ORDINARY = 61000
-SLOW = {"hangs_at_start", "hangs_at_one_place", "never_ends", "sleeps", "forks", "compiles_without_end", "takes_memory", "fills_the_disk"}
+SLOW = {"answers_late", "hangs_at_start", "hangs_at_one_place", "never_ends", "sleeps", "forks", "compiles_without_end", "takes_memory", "fills_the_disk"}
 FIXTURES = {path.stem: path.read_text(encoding="utf-8") for path in sorted(Path(__file__).with_name("attacks").glob("*.cpp"))}
 if MODE == "quick":
     FIXTURES = {name: text for name, text in FIXTURES.items() if name not in SLOW}
 if MODE == "container":
-    del FIXTURES["uses_the_network"]  # which a container may have
+    del FIXTURES["uses_the_network"]  # a container may have a network
 
 
 def left_behind():
@@ -50,7 +50,8 @@ class Attacks(unittest.TestCase):
             toy_course.write(SOLUTION, cls.work.submissions / name)
         toy_course.write({"CMakeLists.txt": "message(FATAL_ERROR)", "Makefile": "all:\n\tfalse\n", "src/assignment.hpp": "#error\n",
                           "provided/main.cpp": "int main() {}\n", "provided/checks.cpp": "int main() {}\n",
-                          "src/square.cpp": "double square(double) { return 1; }\n"}, cls.work.submissions / "edits_the_project")
+                          ".github/workflows/checks.yml": "on: push\n", "src/square.cpp": "double square(double) { return 1; }\n"},
+                         cls.work.submissions / "edits_the_project")
         os.chmod(cls.work.private, 0o700)
         if MODE == "user":
             cls.work.give_to(ORDINARY)
@@ -59,9 +60,9 @@ class Attacks(unittest.TestCase):
         cls.addClassCleanup(bystander.kill)
         cls.bystander = bystander
         sandbox = ["--sandbox", "user"] if MODE == "container" else []
-        cls.status, cls.said = cls.work.grade("--jobs", "2", *sandbox)
-        if cls.status not in (0, 1) or "Traceback" in cls.said:
-            raise AssertionError(cls.said)
+        cls.status, cls.output = cls.work.grade("--jobs", "2", *sandbox)
+        if cls.status not in (0, 1) or "Traceback" in cls.output:
+            raise AssertionError(cls.output)
         cls.table = cls.work.table()
         if MODE == "container":
             Path("/tmp/large").unlink(missing_ok=True)
@@ -70,10 +71,10 @@ class Attacks(unittest.TestCase):
         row = self.table[name]
         return [sum(float(row[check] or -99) for check in row if check.startswith(exercise)) for exercise in ("square", "sum", "cube")]
 
-    def test_everybody_is_graded(self):
-        self.assertEqual(self.status, 0, self.said)
+    def test_every_submission_is_graded(self):
+        self.assertEqual(self.status, 0, self.output)
 
-    def test_each_gets_what_it_deserves(self):
+    def test_each_submission_scores_the_listed_points(self):
         for name, text in FIXTURES.items():
             with self.subTest(name):
                 expected = re.match(r"// ([\d.]+) ([\d.]+) ([\d.]+): ", text.splitlines()[1])
@@ -81,25 +82,25 @@ class Attacks(unittest.TestCase):
 
     def test_edited_files_of_the_project_have_no_effect(self):
         self.assertEqual(self.points("edits_the_project"), [0, 0, 0])
-        self.assertIn("src/sum.cpp was not handed in", self.feedback("edits_the_project"))
+        self.assertIn("src/sum.cpp was not submitted", self.feedback("edits_the_project"))
 
-    def test_others_are_unharmed(self):
+    def test_other_submissions_and_processes_are_unharmed(self):
         self.assertEqual([self.points("honest"), self.points("zz_honest")], [[10, 10, 10]] * 2)
         self.assertIsNone(self.bystander.poll())
         self.assertEqual((self.work.output / "earlier/feedback.txt").read_text(), "earlier\n")
 
-    def test_nothing_is_left(self):
+    def test_nothing_is_left_behind(self):
         self.assertEqual(left_behind(), 0)
         self.assertFalse((self.work.output / "earlier/results.json").exists())
 
-    def test_what_crashed_and_what_took_too_long_is_told(self):
+    def test_feedback_names_crashes_and_time_limits(self):
         self.assertIn("crashed (SIGABRT)", self.feedback("crashes_at_one_place"))
         self.assertIn("multiple definition of `main'", self.feedback("defines_main"))
         if "never_ends" in FIXTURES:
             self.assertIn("used up its processor time", self.feedback("never_ends"))
             self.assertIn("did not answer in time", self.feedback("sleeps"))
 
-    def test_feedback_has_no_message_of_a_hidden_check(self):
+    def test_feedback_contains_no_message_of_a_hidden_check(self):
         for name in FIXTURES:
             self.assertNotIn("the square is right", self.feedback(name))
         self.assertIn("the square is right: does not hold in 1 of 4 cases (x = -2)",
@@ -111,7 +112,7 @@ class Attacks(unittest.TestCase):
 
 if __name__ == "__main__":
     if MODE != "quick" and os.geteuid() != 0:
-        skip("only root can become somebody else")
+        skip("only root can become a different user")
     if MODE == "user":
         require_bubblewrap(["setpriv", f"--reuid={ORDINARY}", f"--regid={ORDINARY}", "--clear-groups", "--"])
     elif MODE != "container":

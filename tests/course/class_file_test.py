@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks are filled into what Moodle and Canvas exported, and nothing else changes."""
+"""Marks are filled into the files that Moodle and Canvas export, and nothing else changes."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -43,47 +43,47 @@ class ClassFiles(unittest.TestCase):
         return ClassFile(path, TOY_ASSIGNMENT, **options)
 
     def changed(self, text, marks, **options):
-        """The lines that change, before and after."""
+        """Returns pairs of the lines that change, before and after."""
         after = self.file(text, **options).filled(marks)
         pairs = zip(text.replace('"', "").splitlines(True), after.replace('"', "").splitlines(True), strict=True)
         return [(one, other) for one, other in pairs if one != other]
 
-    def test_moodle_in_any_language(self):
+    def test_moodle_worksheets_in_any_language_are_filled(self):
         for text, before, after in ((ENGLISH, "grading,,30.00", "grading,28.50,30.00"), (GERMAN, "Eingereicht,,30,00", "Eingereicht,28,50,30,00"),
                                     (FRENCH, "Remis,-,-,30,00", "Remis,-,28,50,30,00")):
             ((one, other),) = self.changed(text, {"4711": 28.5})
             self.assertEqual(other, one.replace(before, after))
 
-    def test_who_has_no_mark_keeps_what_is_there(self):
+    def test_a_student_without_a_new_mark_keeps_the_old_one(self):
         self.assertIn("No submission,12.00", self.file(ENGLISH).filled({"4711": 30}))
 
-    def test_a_byte_order_mark_and_quotation_marks_stay(self):
+    def test_the_byte_order_mark_and_quotation_marks_are_kept(self):
         filled = self.file(ENGLISH).filled({})
         self.assertTrue(filled.startswith("\ufeffIdentifier,"))
         self.assertIn('"well, ""fine"""', filled)
 
-    def test_canvas_by_the_title_of_the_assignment_or_by_name(self):
+    def test_the_canvas_column_is_found_by_the_title_of_the_assignment_or_by_name(self):
         self.assertEqual(self.changed(CANVAS, {"4711": 28.5}), [("Love, Ada,4711,u1,ada@uni.edu,A,4,,80\r\n", "Love, Ada,4711,u1,ada@uni.edu,A,4,28.50,80\r\n")])
-        with self.assertRaisesRegex(BadInput, "maximum mark is 5, and the assignment has 30 points"):
+        with self.assertRaisesRegex(BadInput, "maximum mark is 5, but the assignment has 30 points"):
             self.file(CANVAS, column="Quiz (77)")
 
-    def test_ids_of_ones_own_are_found_in_any_cell(self):
+    def test_ids_that_are_not_system_numbers_are_found_in_any_cell(self):
         for text in (ENGLISH, GERMAN, CANVAS):
             ((_, other),) = self.changed(text, {"Ada@uni.edu": 1})
             self.assertIn("ada@uni.edu", other)
 
-    def test_an_id_that_is_in_no_line_is_bad_input(self):
-        with self.assertRaisesRegex(BadInput, "class.csv: the id '4713' is in 0 lines, not in one"):
+    def test_an_id_in_no_row_or_in_several_rows_is_bad_input(self):
+        with self.assertRaisesRegex(BadInput, "class.csv: the id '4713' is in 0 rows instead of one"):
             self.file(ENGLISH).row_of("4713")
-        with self.assertRaisesRegex(BadInput, "the id 'A' is in 3 lines"):
+        with self.assertRaisesRegex(BadInput, "the id 'A' is in 3 rows"):
             self.file(CANVAS).row_of("A")
 
-    def test_a_file_of_something_else_is_bad_input(self):
-        for text, error in (("student,points\nada,1\n", "neither a grading worksheet of Moodle nor a gradebook of Canvas"),
-                            ("", "neither a grading worksheet"),
-                            (ENGLISH.replace("30.00", "100.00"), "maximum mark is 100.00, and the assignment has 30 points"),
-                            ("Identifier,Name\nParticipant 1,Ada\n", "no column of marks before one with the maximum mark"),
-                            (CANVAS.replace("Toy (88)", "Sphere (88)"), "0 columns are named 'Toy \\(…\\)'; --column")):
+    def test_a_file_of_a_different_kind_is_bad_input(self):
+        for text, error in (("student,points\nada,1\n", "neither a Moodle grading worksheet nor a Canvas gradebook"),
+                            ("", "neither a Moodle grading worksheet"),
+                            (ENGLISH.replace("30.00", "100.00"), "maximum mark is 100.00, but the assignment has 30 points"),
+                            ("Identifier,Name\nParticipant 1,Ada\n", "no column of marks precedes a column with the maximum mark"),
+                            (CANVAS.replace("Toy (88)", "Sphere (88)"), "no columns are named 'Toy \\(…\\)'; choose one with --column NAME")):
             with self.subTest(error), self.assertRaisesRegex(BadInput, error):
                 self.file(text)
         with self.assertRaisesRegex(BadInput, "none.csv: No such file or directory"):

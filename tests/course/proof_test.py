@@ -24,22 +24,22 @@ class WrongSolutions(unittest.TestCase):
             Path(folder, "list").write_text(text, encoding="utf-8")
             return proof.read_wrong_solutions(Path(folder, "list"), SOLUTION)
 
-    def test_each_is_the_solution_with_its_changes(self):
+    def test_each_wrong_solution_is_the_solution_with_its_changes(self):
         (doubled, files), _ = self.read(LIST)
         self.assertEqual((doubled.id, doubled.points), ("doubled", 10))
         self.assertIn(b"return 2 * x;", files["src/square.cpp"])
         self.assertEqual(files["src/sum.cpp"], SOLUTION["src/sum.cpp"])
 
-    def test_a_change_must_fit_once(self):
-        for before, after, error in (("return x * x;", "return x * y;", "'doubled': 'before' is in src/square.cpp 0 times, not once"),
-                                     ('"return x * x;"', '"x"', "'before' is in src/square.cpp 3 times, not once"),
-                                     ("src/square.cpp", "src/sphere.cpp", "src/sphere.cpp is no file of the solution"),
+    def test_the_text_to_replace_must_occur_once(self):
+        for before, after, error in (("return x * x;", "return x * y;", "'doubled': 'before' occurs 0 times in src/square.cpp instead of once"),
+                                     ('"return x * x;"', '"x"', "'before' occurs 3 times in src/square.cpp instead of once"),
+                                     ("src/square.cpp", "src/sphere.cpp", "src/sphere.cpp is not a file of the solution"),
                                      ("points = 10\n", "", "the key 'points' is missing")):
             with self.subTest(after), self.assertRaisesRegex(BadInput, error):
                 self.read(LIST.replace(before, after, 1))
 
     def test_new_points_change_nothing_else_in_the_list(self):
-        text = LIST + '\n[[wrong]]\nid = "odd"\nsays = ""\npoints = 1\nafter = """\npoints = 2\n"""\n'
+        text = LIST + '\n[[wrong]]\nid = "odd"\ndescription = ""\npoints = 1\nafter = """\npoints = 2\n"""\n'
         points = {"doubled": 10, "no-cube": 20, "odd": 1}
         self.assertEqual(proof.with_points(text, points), text)
         self.assertEqual(proof.with_points(text, {**points, "no-cube": 7.25, "odd": 3}),
@@ -47,13 +47,13 @@ class WrongSolutions(unittest.TestCase):
 
 
 class Leaks(unittest.TestCase):
-    def test_lines_ids_and_names_are_found_in_texts_and_names_whatever_the_blanks(self):
+    def test_secrets_are_found_in_texts_and_file_names_despite_different_white_space(self):
         secrets = {"return answer * answer;": "src/x.cpp:3", "x-reference": "the id of a hidden check", "x_hidden.cpp": "a file of hidden checks"}
         for name, text in (("README.md", "so:  return answer *\n  answer;"), ("sheet.pdf", "the check x-reference"), ("src/x_hidden.cpp", "")):
             self.assertEqual(len(proof.leaks({name: text}, secrets)), 1, name)
         self.assertEqual(proof.leaks({"src/x.cpp": "return answer;"}, secrets), [])
 
-    def test_secrets_are_lines_of_the_solution_and_what_only_hidden_checks_have(self):
+    def test_lines_of_the_solution_and_lines_only_in_hidden_checks_are_secret(self):
         project = {"src/x.cpp": template.divide("// BEGIN SOLUTION\n  const double y = hidden(x);\n  short;\n// END SOLUTION\n", "x", {})}
         with tempfile.TemporaryDirectory() as folder:
             hidden, public = Path(folder, "x_hidden.cpp"), Path(folder, "x_checks.hpp")

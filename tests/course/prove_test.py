@@ -35,27 +35,27 @@ class Prove(unittest.TestCase):
         file.write_text(text.replace(before, after, 1), encoding="utf-8")
 
     def fails(self, claim, text):
-        """Requires that this claim is the first one that does not hold, and that the handout stays as it was."""
+        """Requires that this claim is the first that does not hold, and that the handout is unchanged."""
         before = (self.work.folder / "build/handout.zip").read_bytes()
-        status, said = self.prove()
-        self.assertEqual(status, 1, said)
-        self.assertRegex(said, text)
-        self.assertEqual([line[0] for line in said.splitlines() if line[1:3] == ". "], [str(i) for i in range(1, claim)], said)
+        status, output = self.prove()
+        self.assertEqual(status, 1, output)
+        self.assertRegex(output, text)
+        self.assertEqual([line[0] for line in output.splitlines() if line[1:3] == ". "], [str(i) for i in range(1, claim)], output)
         self.assertEqual((self.work.folder / "build/handout.zip").read_bytes(), before)
 
-    def without(self, tool):
-        """Has a tool fail that must not be called."""
+    def break_tool(self, tool):
+        """Replaces a tool that must not be called by one that fails."""
         write({f"bin/{tool}": "#!/bin/sh\nexit 9\n"}, self.work.folder)
         (self.work.folder / "bin" / tool).chmod(0o755)
         self.addCleanup(os.environ.__setitem__, "PATH", os.environ["PATH"])
         os.environ["PATH"] = f"{self.work.folder}/bin:{os.environ['PATH']}"
 
     def test_five_claims_are_proved_and_the_handout_is_written(self):
-        status, said = self.first
-        self.assertEqual(status, 0, said)
-        self.assertIn("a new salt for the hidden checks; keep it, and keep it secret\n", said)
-        self.assertIn("3. the solution scores all 30 points, with the nominal numbers and those of 20 ids\n", said)
-        self.assertIn("4. each of 2 wrong solutions scores what is listed\n5. nothing secret is in any file\n", said)
+        status, output = self.first
+        self.assertEqual(status, 0, output)
+        self.assertIn("a new salt for the hidden checks; keep this file, and keep it secret\n", output)
+        self.assertIn("3. the solution scores all 30 points, with the nominal numbers and with those of 20 ids\n", output)
+        self.assertIn("4. each of 2 wrong solutions scores its listed points\n5. no file contains a secret\n", output)
         handout = self.work.folder / "build/handout"
         self.assertIn("YOUR SOLUTION HERE", (handout / "src/square.cpp").read_text())
         self.assertEqual((handout / "sheet.pdf").read_bytes()[:5], b"%PDF-")
@@ -64,52 +64,52 @@ class Prove(unittest.TestCase):
         self.assertTrue(all(name.startswith("handout/") for name in names))
         self.assertEqual((self.work.private / "salt.txt").stat().st_mode & 0o777, 0o600)
 
-    def test_what_has_not_changed_is_not_proved_again(self):
+    def test_unchanged_claims_are_not_proved_again(self):
         for tool in ("cmake", "latexmk", "gnuplot"):
-            self.without(tool)
+            self.break_tool(tool)
         self.assertEqual(self.prove()[0], 0)
         self.edit("wrong_solutions.toml", "return 2 * x;", "return 5 * x;")
-        status, said = self.prove()
-        self.assertEqual(status, 0, said)
+        status, output = self.prove()
+        self.assertEqual(status, 0, output)
 
-    def test_1_a_warning_of_the_compiler(self):
+    def test_1_fails_if_the_compiler_warns(self):
         self.edit("template/src/sum.cpp", "STUB: return 0;", "STUB: int unused; return 0;")
-        self.fails(1, "the handout builds with a warning:(.|\n)*unused variable")
+        self.fails(1, "the handout builds with warnings:(.|\n)*unused variable")
 
-    def test_1_a_check_that_ctest_does_not_name(self):
+    def test_1_fails_if_ctest_does_not_list_a_check(self):
         self.edit("template/CMakeLists.txt", "    # EACH PUBLIC CHECK: @check@\n", "    sum-commutes\n")
-        self.fails(1, "ctest of the handout does not name the public check 'square-even'")
+        self.fails(1, "ctest of the handout does not list the public check 'square-even'")
 
-    def test_2_a_stub_that_scores(self):
+    def test_2_fails_if_a_stub_scores(self):
         self.edit("template/src/sum.cpp", "STUB: return 0;", "STUB: return a + b;")
         self.fails(2, "the untouched handout scores 10 points, not 0")
 
-    def test_3_a_solution_that_does_not_score_all(self):
-        self.edit("template/src/cube.cpp", "return x * square(x);", "return x * x;")
+    def test_3_fails_if_the_solution_does_not_score_all_points(self):
+        self.edit("template/src/cube.cpp", "return x * square(x);", "return x * square(x) / x;")
         self.fails(3, "with the numbers of '' the solution scores 20 points(.|\n)*cube-right: 0 of 6: the cube is wrong")
 
-    def test_4_a_wrong_solution_with_different_points(self):
+    def test_4_fails_if_a_wrong_solution_does_not_score_its_listed_points(self):
         self.edit("wrong_solutions.toml", "points = 10", "points = 12")
-        self.fails(4, "'doubled' scores 10 points, and 12 are listed. If that is right, prove --update writes it")
-        status, said = self.prove("--update")
-        self.assertEqual(status, 0, said)
+        self.fails(4, "'doubled' scores 10 points instead of the listed 12. If these points are correct, \"prove --update\" writes them")
+        status, output = self.prove("--update")
+        self.assertEqual(status, 0, output)
         self.assertEqual((self.work.folder / "toy/wrong_solutions.toml").read_text(), (toy_course.TOY / "wrong_solutions.toml").read_text())
 
-    def test_5_a_secret_in_a_text(self):
+    def test_5_fails_if_a_file_contains_a_secret(self):
         self.edit("template/README.md", "# Toy", "# Toy\nThe check square-right is hidden.")
-        self.fails(5, 'README.md has "square-right" \\(the id of a hidden check\\)')
+        self.fails(5, 'README.md contains "square-right" \\(the id of a hidden check\\)')
 
-    def test_code_and_list_of_the_checks_must_agree(self):
+    def test_checks_in_the_code_must_be_listed(self):
         self.edit("assignment.toml", 'id = "sum-right"', 'id = "sum-wrong"')
-        status, said = self.prove()
-        self.assertEqual(status, 2, said)
-        self.assertIn("the hidden check 'sum-right' of exercise 'sum' is not listed", said)
+        status, output = self.prove()
+        self.assertEqual(status, 2, output)
+        self.assertIn("the hidden check 'sum-right' of exercise 'sum' is not listed in assignment.toml", output)
 
-    def test_a_folder_that_holds_no_handout_is_not_overwritten(self):
+    def test_a_folder_without_a_handout_is_not_overwritten(self):
         write({"thesis.tex": "mine"}, self.work.folder / "elsewhere")
-        status, said = self.prove("--output", self.work.folder / "elsewhere")
+        status, output = self.prove("--output", self.work.folder / "elsewhere")
         self.assertEqual(status, 2)
-        self.assertIn("this folder does not hold a handout; nothing was written", said)
+        self.assertIn("this folder does not contain a handout; nothing was written", output)
         self.assertEqual((self.work.folder / "elsewhere/thesis.tex").read_text(), "mine")
 
 
@@ -118,5 +118,5 @@ if __name__ == "__main__":
         skip(f"nothing was proved: {bubblewrap_problem()}")
     for tool in ("cmake", "latexmk", "gnuplot", "pdftotext"):
         if not shutil.which(tool):
-            skip(f"there is no {tool}")
+            skip(f"{tool} is not installed")
     toy_course.main()

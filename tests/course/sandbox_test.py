@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a job sees and may use up, in each sandbox that works here. tests/course/attacks holds submissions that try more."""
+"""What a job sees and which limits it has, in each sandbox that works here. tests/course/attacks contains submissions that attack."""
 import os
 import tempfile
 import unittest
@@ -31,7 +31,7 @@ class Jobs(unittest.TestCase):
     def run_in(self, name, script, seconds=5, clock=60):
         return SANDBOXES[name](self.folder / "kit", LIMITS).run(["sh", "-c", script], self.folder / "work", seconds, clock)
 
-    def test_a_job_works_in_its_folder_and_reads_the_kit(self):
+    def test_a_job_writes_only_to_its_folder_and_reads_the_kit(self):
         for name in WORKING:
             with self.subTest(name):
                 kit = SANDBOXES[name](self.folder / "kit", LIMITS).kit
@@ -40,7 +40,7 @@ class Jobs(unittest.TestCase):
                 self.assertEqual((self.folder / "kit/given").read_text(), "given")
                 (self.folder / "work/made").unlink()
 
-    def test_it_is_somebody_else_without_an_environment(self):
+    def test_a_job_runs_as_a_different_user_with_an_empty_environment(self):
         os.environ["SECRET"] = "in the environment"
         for name in WORKING:
             with self.subTest(name):
@@ -48,14 +48,14 @@ class Jobs(unittest.TestCase):
                 self.assertNotIn("in the environment", ended.text)
                 self.assertNotEqual(ended.text.split()[-1], "0")
 
-    def test_bubblewrap_shows_no_other_file_process_or_network(self):
+    def test_bubblewrap_hides_other_files_processes_and_the_network(self):
         if "bubblewrap" not in WORKING:
             self.skipTest(bubblewrap_problem())
         ended = self.run_in("bubblewrap", "ls -A / /dev /tmp; ls /proc /sys /etc 2> /dev/null; cat < /dev/tcp/127.0.0.1/1; kill -0 -1 || echo alone")
         self.assertEqual(ended.text.split("sh: ")[0].split(), ["/:", *"bin dev kit lib lib64 tmp usr work".split(), "/dev:", "null", "/tmp:"])
         self.assertIn("alone", ended.text)
 
-    def test_processor_time_is_limited_and_the_clock_is_a_backstop(self):
+    def test_processor_time_and_wall_clock_time_are_limited(self):
         for name in WORKING:
             with self.subTest(name):
                 self.assertIn(self.run_in(name, "while :; do :; done", seconds=1).status, (-24, 152))
@@ -67,7 +67,7 @@ class Jobs(unittest.TestCase):
                 ended = self.run_in(name, "ulimit -v; ulimit -p; ulimit -f")
                 self.assertEqual([int(word) for word in ended.text.split()], [512 << 10, 16, 64 << 11])
 
-    def test_a_sandbox_that_does_not_work_says_what_helps(self):
+    def test_a_sandbox_that_does_not_work_names_a_remedy(self):
         with mock.patch.dict(os.environ, PATH="/nowhere"), self.assertRaisesRegex(ToolFailure, "bubblewrap is not installed"):
             Bubblewrap(self.folder, LIMITS)
         (self.folder / "bwrap").write_text("#!/bin/sh\necho 'bwrap: No permissions to create new namespace' >&2\nexit 1\n")

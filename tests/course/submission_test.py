@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whose submissions there are, and which files are taken from each."""
+"""Finds each student's submission and reads the files of the exercises."""
 import io
 import os
 import stat
@@ -32,7 +32,7 @@ def packed(files, links=()):
 
 
 def locked(content):
-    """The zip with the flag of a password on each of its files."""
+    """Marks the file in a zip as protected by a password."""
     content = bytearray(content)
     for mark, offset in ((b"PK\x01\x02", 8), (b"PK\x03\x04", 6)):
         content[content.index(mark) + offset] |= 1
@@ -49,21 +49,21 @@ class Submissions(unittest.TestCase):
         self.folder.mkdir()
 
     def found(self, source=None):
-        """{id: the taken files or why there are none}."""
+        """Returns {id: the files, or the reason why there are none}."""
         result = {}
         for one in submission.submissions_in(source or self.folder):
             try:
-                result[one.id] = one.take(TOY_ASSIGNMENT)
+                result[one.id] = one.read_files(TOY_ASSIGNMENT)
             except submission.Unusable as error:
                 result[one.id] = str(error)
         return result
 
-    def test_folders_and_zips_are_named_for_their_students(self):
+    def test_the_name_of_a_folder_or_zip_is_the_id(self):
         write(FILES, self.folder / "ada")
         write({"bob.zip": packed(FILES), "Cleo.ZIP": packed(FILES), ".DS_Store": "x"}, self.folder)
         self.assertEqual(self.found(), {"Cleo": FILES, "ada": FILES, "bob": FILES})
 
-    def test_a_zip_in_a_folder_a_folder_deep_without_src_and_from_a_mac(self):
+    def test_zips_in_folders_deep_folders_flat_folders_and_zips_from_a_mac_are_read(self):
         deep = {f"hw 1/solution/{name}": content for name, content in FILES.items()}
         write({"hw.zip": packed(deep), "report.pdf": b"x"}, self.folder / "ada")
         write(deep, self.folder / "bob")
@@ -73,16 +73,16 @@ class Submissions(unittest.TestCase):
         write({"eve.zip": packed({name.replace("/", "\\"): content for name, content in FILES.items()})}, self.folder)
         self.assertEqual(self.found(), dict.fromkeys(["ada", "bob", "cleo", "dan", "eve"], FILES))
 
-    def test_a_file_in_src_counts_before_one_elsewhere(self):
+    def test_a_file_in_src_takes_precedence(self):
         write({**FILES, "old/square.cpp": b"old"}, self.folder / "ada")
         self.assertEqual(self.found()["ada"], FILES)
 
-    def test_bytes_are_taken_as_they_are(self):
+    def test_bytes_are_not_changed(self):
         odd = {"src/square.cpp": b"\xef\xbb\xbfdouble x = 1\r.5;\r\n\xff"}
         write(odd, self.folder / "ada")
         self.assertEqual(self.found()["ada"], odd)
 
-    def test_moodle_and_canvas_say_whose_it_is(self):
+    def test_names_made_by_moodle_and_canvas_contain_the_id(self):
         moodle = {"Ada Love_4711_assignsubmission_file_/hw.zip": packed(FILES),
                   "Bob B_4712_assignsubmission_file_square.cpp": b"square", "Bob B_4712_assignsubmission_file_sum.cpp": b"sum",
                   "Ada Love_4711_assignsubmission_onlinetext_onlinetext.html": b"<p>", "Cleo_4713_assignsubmission_file/src/sum.cpp": b"sum"}
@@ -97,7 +97,7 @@ class Submissions(unittest.TestCase):
             for path in sorted(self.folder.rglob("*"), reverse=True):
                 path.rmdir() if path.is_dir() else path.unlink()
 
-    def test_what_cannot_be_used_says_why(self):
+    def test_an_unusable_submission_has_a_reason(self):
         write({"damaged.zip": packed(FILES)[:-30], "locked.zip": locked(packed({"src/square.cpp": b"x"})), "none.zip": packed({"a": b""}),
                "link_in_zip.zip": packed({}, ["src/square.cpp"]), "large.zip": packed({"src/sum.cpp": b"\n" * (65 << 10)}),
                "twice.zip": packed({"a/src/sum.cpp": b"1", "b/src/sum.cpp": b"2"}), "-rf.zip": packed(FILES), "ada.zip": packed(FILES),
@@ -109,22 +109,22 @@ class Submissions(unittest.TestCase):
         (self.folder / "linked_file/src/square.cpp").symlink_to("/etc/passwd")
         (self.folder / "linked_src/src").symlink_to(self.folder / "ada/src")
         os.mkfifo(self.folder / "pipe/src/square.cpp")
-        none = "none of the files src/square.cpp, src/sum.cpp, src/cube.cpp was handed in"
+        none = "none of the files src/square.cpp, src/sum.cpp, src/cube.cpp was submitted"
         special = "src/square.cpp is a link or a special file"
         self.assertEqual(self.found(), {
             "damaged": "the zip is damaged: File is not a zip file", "none": none, "notes.txt": none, "empty": none, "linked_src": none,
             "locked": "src/square.cpp cannot be read: it needs a password",
             "link_in_zip": special, "linked_file": special, "pipe": special, "large": "src/sum.cpp is larger than 64 kB",
-            "twice": "src/sum.cpp was handed in twice", "link": "the submission is a link",
-            "-rf": "its name is no id: ids begin with a letter or digit and hold letters, digits, blanks and _.@+-",
+            "twice": "src/sum.cpp was submitted twice", "link": "the submission is a link",
+            "-rf": "its name is not an id: ids begin with a letter or digit and contain letters, digits, spaces and _.@+-",
             "ada": "there are two submissions, ada and ada.zip"})
 
-    def test_entries_that_climb_are_read_and_unpacked_nowhere(self):
+    def test_paths_that_climb_out_of_a_zip_write_nothing(self):
         write({"ada.zip": packed({"../../climbed/src/square.cpp": b"square", "/etc/sum.cpp": b"sum"})}, self.folder)
         self.assertEqual(self.found()["ada"], {"src/square.cpp": b"square"})
         self.assertEqual(sorted(path.name for path in self.folder.parent.rglob("*")), ["ada.zip", "class"])
 
-    def test_a_small_zip_that_would_become_large_is_read_up_to_the_limit(self):
+    def test_a_zip_bomb_is_read_only_up_to_the_size_limit(self):
         write({"ada.zip": packed({"src/square.cpp": b"\n" * 200_000_000})}, self.folder)
         self.assertLess((self.folder / "ada.zip").stat().st_size, 1_000_000)
         self.assertEqual(self.found()["ada"], "src/square.cpp is larger than 64 kB")
@@ -132,7 +132,7 @@ class Submissions(unittest.TestCase):
     def test_a_source_without_submissions_is_bad_input(self):
         write({"src/square.cpp": b""}, self.folder.parent / "single")
         (self.folder.parent / "text.zip").write_text("no zip")
-        for name, error in (("none", "there is no such file or folder"), ("class", "there are no submissions in it"),
+        for name, error in (("none", "no such file or folder"), ("class", "this folder or zip contains no submissions"),
                             ("text.zip", "the zip is damaged"), ("single", "this is a single submission")):
             with self.assertRaisesRegex(BadInput, error):
                 self.found(self.folder.parent / name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Markers divide a file into what students get and the solution."""
+"""Markers divide a template file into the handout and the solution."""
 import unittest
 
 import toy_course
@@ -17,32 +17,32 @@ def divided(text, name="file.cpp"):
 
 
 class Markers(unittest.TestCase):
-    def test_the_solution_is_replaced_by_its_stubs(self):
+    def test_stubs_replace_the_solution(self):
         found = divided("int f() {\n  // BEGIN SOLUTION\n  // STUB: return 0;\n  return 42;\n\n  // END SOLUTION\n}\n")
         self.assertEqual(found.handout, "int f() {\n  // YOUR SOLUTION HERE\n  return 0;\n}\n")
         self.assertEqual(found.solution, "int f() {\n  return 42;\n\n}\n")
         self.assertEqual(found.secrets, [(4, "return 42;")])
 
-    def test_every_kind_of_comment_can_be_a_marker(self):
+    def test_every_comment_style_can_be_a_marker(self):
         for begin, end in (("//", ""), ("#", ""), ("%", ""), ("<!--", " -->")):
             with self.subTest(begin):
                 found = divided(f"a\n{begin} BEGIN SOLUTION{end}\nb\n{begin} END SOLUTION{end}\n")
                 self.assertEqual(found.handout, f"a\n{begin} YOUR SOLUTION HERE{end}\n")
                 self.assertEqual(found.solution, "a\nb\n")
 
-    def test_a_list_has_a_line_for_each_exercise(self):
+    def test_a_list_has_one_line_per_exercise(self):
         found = divided("x\n  // EACH EXERCISE: call(@id@, @number@);\n// EACH PUBLIC CHECK: none\n")
         self.assertEqual(found.handout, "x\n  call(one, 1);\n  call(two, 2);\n")
         self.assertEqual(found.solution, found.handout)
 
-    def test_a_marker_that_does_not_fit_is_an_error_with_its_line(self):
+    def test_a_misplaced_marker_is_an_error_with_its_line(self):
         for text, error in (("// BEGIN SOLUTION\n", "f:1: BEGIN SOLUTION without END SOLUTION"),
                             ("\n// END SOLUTION\n", "f:2: END SOLUTION without BEGIN SOLUTION"),
-                            ("// BEGIN SOLUTION\n// BEGIN SOLUTION\n", "f:2: BEGIN SOLUTION within that of line 1"),
+                            ("// BEGIN SOLUTION\n// BEGIN SOLUTION\n", "f:2: BEGIN SOLUTION inside the solution that begins in line 1"),
                             ("// STUB: return 0;\n", "f:1: STUB outside a solution"),
-                            ("// Begin-Solution\n", "f:1: this is no marker, but looks like one: // Begin-Solution"),
-                            ("return 1; // END SOLUTION\n", "f:1: this is no marker, but looks like one: return 1; // END SOLUTION"),
-                            ("// EACH EXERCISE: @name@\n", "f:1: there is no word @name@ here")):
+                            ("// Begin-Solution\n", "f:1: this looks like a marker but is not one: // Begin-Solution"),
+                            ("return 1; // END SOLUTION\n", "f:1: this looks like a marker but is not one: return 1; // END SOLUTION"),
+                            ("// EACH EXERCISE: @name@\n", "f:1: @name@ is not a word of this list")):
             with self.subTest(text):
                 with self.assertRaises(BadInput) as caught:
                     divided(text, "f")
@@ -50,7 +50,7 @@ class Markers(unittest.TestCase):
 
 
 class Project(unittest.TestCase):
-    def test_it_holds_the_template_and_copies_of_what_is_provided(self):
+    def test_it_contains_the_template_and_copies_of_the_provided_files(self):
         toy = assignment.read(TOY / "assignment.toml")
         files = template.project(toy, TOY, ROOT / "src")
         self.assertEqual(files["src/square.cpp"].handout.splitlines()[2:4], ["  // YOUR SOLUTION HERE", "  return 0;"])

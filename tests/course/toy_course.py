@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of src/course share: the toy assignment, a folder to work in, and the command line."""
+"""Shared by the tests of src/course: the toy assignment, a working folder, and the command line."""
 import csv
 import os
 import shutil
@@ -21,7 +21,7 @@ SOLUTION = {"src/square.cpp": '#include "assignment.hpp"\ndouble square(double x
 
 
 def main():
-    """Runs the tests of the calling file; what make passed on is no argument of theirs."""
+    """Runs the tests of the calling file, without the arguments in ARGUMENTS."""
     unittest.main(argv=sys.argv[:1], verbosity=2)
 
 
@@ -31,7 +31,7 @@ def skip(reason):
 
 
 def bubblewrap_problem(command=()):
-    """Why bubblewrap cannot start a sandbox here; empty if it can."""
+    """Returns the reason why bubblewrap cannot start a sandbox here; empty if it can."""
     try:
         done = subprocess.run([*command, "bwrap", "--unshare-user-try", "--unshare-pid", "--unshare-net", "--ro-bind", "/", "/", "true"],
                               capture_output=True, text=True, check=False)
@@ -41,10 +41,10 @@ def bubblewrap_problem(command=()):
 
 
 def require_bubblewrap(command=()):
-    """Skips the tests where bubblewrap cannot work; continuous integration must have it."""
+    """Skips the tests if bubblewrap does not work. In continuous integration it must work."""
     problem = bubblewrap_problem(command)
     if problem and os.environ.get("CI") != "true":
-        skip(f"submissions in bubblewrap were not tested: {problem}")
+        skip(f"bubblewrap does not work: {problem}")
 
 
 def write(files, folder):
@@ -55,10 +55,10 @@ def write(files, folder):
 
 
 class Work:
-    """A folder with the toy assignment, its judge and a salt, in which the course's commands are run."""
+    """A folder with the toy assignment, its judge and a salt, and the commands of the course."""
 
     def __init__(self, judge=None, prefix=()):
-        self.prefix = list(prefix)  # by which commands run as a different user
+        self.prefix = list(prefix)  # makes commands run as a different user
         self.folder = Path(tempfile.mkdtemp(prefix="course test "))
         os.chmod(self.folder, 0o755)
         shutil.copytree(TOY, self.folder / "toy")
@@ -78,7 +78,7 @@ class Work:
         shutil.rmtree(self.folder)
 
     def course(self, command, *options):
-        """Runs a command of the course; returns its exit code and what it said."""
+        """Runs a command of the course. Returns its exit code and its output."""
         done = subprocess.run([*self.prefix, sys.executable, "-B", COURSE / "course.py", command, "--assignment", self.folder / "toy",
                                "--build", self.folder / "build", "--judge", self.judge, "--salt-file", self.private / "salt.txt", *options],
                               capture_output=True, text=True, cwd="/", check=False)
@@ -88,6 +88,6 @@ class Work:
         return self.course("grade", self.submissions, "--output", self.output, *options)
 
     def table(self):
-        """{id: {column: text}} of grades.csv."""
+        """Reads grades.csv: {id: {column: text}}."""
         with open(self.output.with_name("grades.csv"), encoding="utf-8", newline="") as file:
             return {row["id"]: row for row in csv.DictReader(file)}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs that answer, written in the shell.
+// The students' programs of these tests are shell scripts.
 #include "judge/student_program.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -17,8 +17,9 @@ namespace {
 
 constexpr double no_limit = 1e9;
 
-// The answer, or what is said of it.
-std::string said(StudentProgram& program, const std::string& task, const Numbers& inputs = {}) {
+// Returns the answer, or the reason why there is none.
+std::string answer_or_reason(StudentProgram& program, const std::string& task,
+                             const Numbers& inputs = {}) {
   try {
     std::string text;
     for (const double number : program.answer(task, inputs)) text += std::to_string(number) + ' ';
@@ -28,9 +29,9 @@ std::string said(StudentProgram& program, const std::string& task, const Numbers
   }
 }
 
-std::string said_by(const std::string& script, double allowance = no_limit) {
+std::string reason_for(const std::string& script, double allowance = no_limit) {
   StudentProgram program({"sh", "-c", script}, allowance);
-  return said(program, "task");
+  return answer_or_reason(program, "task");
 }
 
 }  // namespace
@@ -47,9 +48,9 @@ BOOST_AUTO_TEST_CASE(the_same_question_is_asked_once) {
   StudentProgram program({"sh", "-c", "i=0; while read -r line; do i=$((i+1)); echo $i; done"},
                          no_limit);
 
-  BOOST_TEST(said(program, "count", {1}) == "1.000000 ");
-  BOOST_TEST(said(program, "count", {1}) == "1.000000 ");
-  BOOST_TEST(said(program, "count", {2}) == "2.000000 ");
+  BOOST_TEST(answer_or_reason(program, "count", {1}) == "1.000000 ");
+  BOOST_TEST(answer_or_reason(program, "count", {1}) == "1.000000 ");
+  BOOST_TEST(answer_or_reason(program, "count", {2}) == "2.000000 ");
 }
 
 BOOST_AUTO_TEST_CASE(numbers_are_decimal_and_may_be_nan_or_infinite) {
@@ -65,59 +66,71 @@ BOOST_AUTO_TEST_CASE(numbers_are_decimal_and_may_be_nan_or_infinite) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(it_is_said_why_there_is_no_answer) {
-  BOOST_TEST(holds(said_by("read -r line; echo PASSED"), "not a decimal number"));
-  BOOST_TEST(said_by("read -r line; exit 0") == "the program ended before it answered");
-  BOOST_TEST(said_by("read -r line; kill -SEGV $$") == "the program crashed (SIGSEGV)");
-  BOOST_TEST(said_by("read -r line; exit 134") == "the program crashed (SIGABRT)");
-  BOOST_TEST(said_by("read -r line; kill -XCPU $$") == "the program used up its processor time");
-  BOOST_TEST(said_by("read -r line; yes 1 | tr -d '\\n'") == "the program's answer is too long");
-  BOOST_TEST(said_by("read -r line; printf '1\\n2\\n'; read -r line") ==
-             "the program answers what it was not asked");
+BOOST_AUTO_TEST_CASE(a_missing_answer_has_a_reason) {
+  BOOST_TEST(holds(reason_for("read -r line; echo PASSED"), "not a decimal number"));
+  BOOST_TEST(reason_for("read -r line; exit 0") == "the program ended before it answered");
+  BOOST_TEST(reason_for("read -r line; kill -SEGV $$") == "the program crashed (SIGSEGV)");
+  BOOST_TEST(reason_for("read -r line; exit 134") == "the program crashed (SIGABRT)");
+  BOOST_TEST(reason_for("read -r line; kill -XCPU $$") == "the program used up its processor time");
+  BOOST_TEST(reason_for("read -r line; yes 1 | tr -d '\\n'") == "the program's answer is too long");
+  BOOST_TEST(reason_for("read -r line; printf '1\\n2\\n'; read -r line") ==
+             "the program wrote an answer without a question");
 }
 
 BOOST_AUTO_TEST_CASE(an_answer_before_the_question_does_not_count) {
   StudentProgram program({"sh", "-c", "while read -r task; do echo 1; sleep 0.1; echo 2; done"},
                          no_limit);
   program.answer("first", {});
-  ::usleep(500'000);  // the second line is there
+  ::usleep(500'000);  // the second line has arrived
 
-  BOOST_TEST(said(program, "second") == "the program answers what it was not asked");
-  BOOST_TEST(said(program, "third") == "1.000000 ");
+  BOOST_TEST(answer_or_reason(program, "second") ==
+             "the program wrote an answer without a question");
+  BOOST_TEST(answer_or_reason(program, "third") == "1.000000 ");
 }
 
-BOOST_AUTO_TEST_CASE(a_crash_costs_its_question_and_the_program_is_started_again_twice) {
+BOOST_AUTO_TEST_CASE(a_crash_costs_one_question_and_the_program_is_restarted_twice) {
   StudentProgram program(
       {"sh", "-c", "while read -r task x; do [ $x != 7 ] || exit; echo $x; done"}, no_limit);
 
-  BOOST_TEST(said(program, "a", {1}) == "1.000000 ");
-  BOOST_TEST(said(program, "a", {7}) == "the program ended before it answered");
-  BOOST_TEST(said(program, "a", {2}) == "2.000000 ");
-  BOOST_TEST(said(program, "b", {7}) == "the program ended before it answered");
-  BOOST_TEST(said(program, "a", {3}) == "3.000000 ");
-  BOOST_TEST(said(program, "c", {7}) == "the program ended before it answered");
-  BOOST_TEST(said(program, "a", {4}) == "the program had failed before and was not started again");
+  BOOST_TEST(answer_or_reason(program, "a", {1}) == "1.000000 ");
+  BOOST_TEST(answer_or_reason(program, "a", {7}) == "the program ended before it answered");
+  BOOST_TEST(answer_or_reason(program, "a", {2}) == "2.000000 ");
+  BOOST_TEST(answer_or_reason(program, "b", {7}) == "the program ended before it answered");
+  BOOST_TEST(answer_or_reason(program, "a", {3}) == "3.000000 ");
+  BOOST_TEST(answer_or_reason(program, "c", {7}) == "the program ended before it answered");
+  BOOST_TEST(answer_or_reason(program, "a", {4}) ==
+             "the program failed too often before and was not started again");
 }
 
-BOOST_AUTO_TEST_CASE(an_empty_answer_costs_its_question_alone) {
+BOOST_AUTO_TEST_CASE(an_empty_answer_costs_only_its_question) {
   StudentProgram program({"sh", "-c", "while read -r task x; do echo $x; done"}, no_limit);
 
   for (int i = 0; i < 5; ++i) {
-    BOOST_TEST(said(program, "task" + std::to_string(i)) == "the program has no answer");
+    BOOST_TEST(answer_or_reason(program, "task" + std::to_string(i)) ==
+               "the program has no answer");
   }
-  BOOST_TEST(said(program, "task", {1}) == "1.000000 ");
+  BOOST_TEST(answer_or_reason(program, "task", {1}) == "1.000000 ");
 }
 
-BOOST_AUTO_TEST_CASE(without_an_allowance_a_task_that_hung_is_not_asked_for_again) {
+BOOST_AUTO_TEST_CASE(after_the_allowance_a_task_that_hung_is_not_asked_again) {
   StudentProgram program(
       {"sh", "-c", "while read -r task x; do [ $task != slow ] || sleep 100; echo $x; done"}, 0);
 
-  BOOST_TEST(said(program, "slow", {1}) == "the program did not answer in time");
-  const double lost = program.lost_seconds();
-  BOOST_TEST(lost > 1.9);
-  BOOST_TEST(said(program, "slow", {2}) == "the program did not answer in time");
-  BOOST_TEST(program.lost_seconds() == lost);
-  BOOST_TEST(said(program, "quick", {3}) == "3.000000 ");
+  BOOST_TEST(answer_or_reason(program, "slow", {1}) == "the program did not answer in time");
+  const double used = program.used_seconds();
+  BOOST_TEST(used > 1.4);
+  BOOST_TEST(answer_or_reason(program, "slow", {2}) == "the program did not answer in time");
+  BOOST_TEST(program.used_seconds() == used);
+  BOOST_TEST(answer_or_reason(program, "quick", {3}) == "3.000000 ");
+}
+
+BOOST_AUTO_TEST_CASE(a_program_that_answers_late_does_not_get_endless_time) {
+  StudentProgram program({"sh", "-c", "while read -r task x; do sleep 1; echo $x; done"}, 0);
+
+  for (int i = 0; i < 10; ++i) answer_or_reason(program, "late", {1.0 * i});
+
+  BOOST_TEST(program.n_answers() <= 3);
+  BOOST_TEST(answer_or_reason(program, "late", {10}) == "the program did not answer in time");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,7 +11,7 @@ using sys::number_of;
 using sys::parse_decimal;
 using sys::parsed;
 
-BOOST_AUTO_TEST_CASE(the_whole_text_is_the_number_or_there_is_none) {
+BOOST_AUTO_TEST_CASE(text_beside_the_number_is_an_error) {
   BOOST_TEST((parsed<double>("0.1") == 0.1));
   BOOST_TEST((parsed<int>("-12") == -12));
   for (const char* text : {"", "1 ", " 1", "1,5", "0x1", "+1", "1e999", "one"}) {
@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_CASE(the_whole_text_is_the_number_or_there_is_none) {
   BOOST_TEST(!parsed<int>("3000000000").has_value());
 }
 
-BOOST_AUTO_TEST_CASE(a_decimal_keeps_all_its_digits) {
+BOOST_AUTO_TEST_CASE(a_decimal_keeps_all_digits) {
   const auto written = [](const char* text) -> std::string {
     const auto number = parse_decimal(text);
     if (!number) return "none";
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(a_decimal_keeps_all_its_digits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_nearest_double_is_found_once_and_beyond_the_range_it_is_infinite_or_zero) {
+BOOST_AUTO_TEST_CASE(a_decimal_is_rounded_to_the_nearest_double_infinity_or_zero) {
   BOOST_TEST(number_of({false, "16236048", -13}) == 1.6236048e-6);
   BOOST_TEST(number_of({true, "1", -1}) == -0.1);
   BOOST_TEST(number_of({false, "1", 999}) == std::numeric_limits<double>::infinity());
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(the_nearest_double_is_found_once_and_beyond_the_range_it_is
   BOOST_TEST(number_of({false, "1", -999}) == 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(the_shortest_digits_of_a_double_end_with_no_zero) {
+BOOST_AUTO_TEST_CASE(the_shortest_digits_of_a_double_have_no_trailing_zero) {
   const auto text_of = [](double number) {
     const auto [negative, digits, place] = sys::shortest(number);
     return (negative ? "-" : "") + digits + "e" + std::to_string(place);

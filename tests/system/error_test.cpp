@@ -19,7 +19,7 @@ int code_of(const Error& error) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(each_kind_of_error_ends_the_program_with_its_own_code) {
+BOOST_AUTO_TEST_CASE(each_kind_of_error_has_a_separate_exit_code) {
   BOOST_TEST(code_of(ComputationError("no convergence")) == 1);
   BOOST_TEST(code_of(InputError("a flag")) == 2);
   BOOST_TEST(code_of(OutputError("a folder")) == 2);
@@ -27,17 +27,17 @@ BOOST_AUTO_TEST_CASE(each_kind_of_error_ends_the_program_with_its_own_code) {
   BOOST_TEST(code_of(ToolError("gnuplot")) == 3);
 }
 
-BOOST_AUTO_TEST_CASE(a_failed_computation_says_so_in_its_message) {
+BOOST_AUTO_TEST_CASE(the_message_of_a_failed_computation_names_the_reason) {
   BOOST_TEST(ComputationError("no convergence").what() ==
              std::string("the computation failed: no convergence"));
 }
 
-BOOST_AUTO_TEST_CASE(what_is_allowed_passes_unchanged) {
+BOOST_AUTO_TEST_CASE(an_allowed_value_is_returned_unchanged) {
   BOOST_TEST(require_finite("slope", -2.385) == -2.385);
   BOOST_TEST(require_positive("radius", 2.385) == 2.385);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_not_allowed_is_named_with_its_value_and_range) {
+BOOST_AUTO_TEST_CASE(an_invalid_quantity_is_named_with_its_value_and_range) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_TEST(message_of<InvalidQuantity>([&] { require_finite("slope", infinity); }) ==

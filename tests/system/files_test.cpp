@@ -15,7 +15,7 @@ BOOST_AUTO_TEST_SUITE(files_test)
 using namespace sys;
 namespace fs = std::filesystem;
 
-BOOST_AUTO_TEST_CASE(the_same_text_leaves_the_time_stamp) {
+BOOST_AUTO_TEST_CASE(writing_the_same_text_keeps_the_time_stamp) {
   const TemporaryFolder scratch;
   const fs::path file = scratch / "a folder/file.txt";
   BOOST_TEST(write_if_changed(file, "text"));
@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_file) {
              "cannot read '" + missing + "': No such file or directory");
 }
 
-BOOST_AUTO_TEST_CASE(a_full_disk_is_told_with_the_file_and_leaves_what_was_there) {
+BOOST_AUTO_TEST_CASE(a_full_disk_is_an_error_that_names_the_file_and_keeps_the_old_text) {
   const TemporaryFolder scratch;
   const fs::path file = scratch / "file";
   write_file_atomically(file, "old");

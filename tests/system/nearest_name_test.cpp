@@ -5,7 +5,7 @@
 
 BOOST_AUTO_TEST_SUITE(nearest_name_test)
 
-BOOST_AUTO_TEST_CASE(the_nearest_name_is_suggested_if_it_is_near) {
+BOOST_AUTO_TEST_CASE(only_a_similar_name_is_suggested) {
   BOOST_TEST(sys::suggestion("lenght", {"length", "width"}) == ", did you mean 'length'?");
   BOOST_TEST(sys::suggestion("mass", {"length", "width"}) == "");
   BOOST_TEST(sys::suggestion("ab", {"cd"}) == "");

@@ -13,7 +13,7 @@ BOOST_AUTO_TEST_SUITE(parallel_test)
 
 using sys::for_each_parallel;
 
-BOOST_AUTO_TEST_CASE(each_is_done_once_however_many_at_a_time) {
+BOOST_AUTO_TEST_CASE(each_job_runs_once_for_any_number_of_threads) {
   for (const std::size_t n_jobs : {0U, 1U, 3U, 50U}) {
     std::vector<std::atomic<int>> n_done(37);
     for_each_parallel(n_done.size(), n_jobs, [&](std::size_t i) { ++n_done[i]; });
@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(each_is_done_once_however_many_at_a_time) {
   for_each_parallel(0, 2, [](std::size_t) { BOOST_ERROR("nothing was to be done"); });
 }
 
-BOOST_AUTO_TEST_CASE(no_more_than_asked_for_run_at_a_time) {
+BOOST_AUTO_TEST_CASE(at_most_n_jobs_run_at_the_same_time) {
   std::atomic<int> n_running = 0;
   std::atomic<int> most = 0;
   for_each_parallel(200, 2, [&](std::size_t) {
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(no_more_than_asked_for_run_at_a_time) {
   BOOST_TEST(most <= 2);
 }
 
-BOOST_AUTO_TEST_CASE(the_lowest_failure_is_told_and_the_rest_is_done) {
+BOOST_AUTO_TEST_CASE(the_exception_of_the_lowest_index_is_thrown_after_all_jobs_ran) {
   std::atomic<int> n_done = 0;
   const std::string message = message_of<std::runtime_error>([&] {
     for_each_parallel(20, 4, [&](std::size_t i) {

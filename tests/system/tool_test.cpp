@@ -8,7 +8,7 @@
 
 BOOST_AUTO_TEST_SUITE(tool_test)
 
-BOOST_AUTO_TEST_CASE(a_tool_is_found_in_the_path_or_named) {
+BOOST_AUTO_TEST_CASE(a_tool_is_found_in_the_path_or_named_in_an_error) {
   BOOST_TEST(sys::find_tool("sh").filename() == "sh");
   BOOST_TEST(message_of<sys::ToolError>([] { sys::find_tool("no-such-tool"); }) ==
              "no-such-tool is not installed: run `make setup`");

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The order of the libraries. The compiler checks that a folder includes only what it links, because a library exports its
-own headers alone; here the links themselves, the rooms within a folder and the includes are checked."""
+"""Tests the links between libraries, the order of rooms within a folder, and the includes. (The compiler already ensures that a
+folder includes only headers of libraries that it links.)"""
 import re
 import sys
 import unittest
@@ -8,14 +8,14 @@ import unittest
 import source_tree
 
 MECHANICS = {"numerics", "elasticity", "contact", "line_contact", "point_contact", "block"}
-# Folders whose files are programs or headers for one, and no library.
+# Folders without a library.
 NO_LIBRARY = {"app", "report_app", "judge", "course", "toolchain"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 LATEX = re.compile(r"\\(begin|end|frac|sqrt|text\w*|math\w*|emph|cite|ref|label|eqref|val|tab|fig|claim|sigma|pi|int|sum|cdot)\b")
 
 
 def read_libraries(path: str) -> dict[str, tuple[set[str], list[str]]]:
-    """What CMake wrote, «name|folder|links|rooms» in each line: the links and rooms of each name."""
+    """Reads the file that CMake wrote, with lines «name|folder|links|rooms»: {name: (links, rooms)}."""
     libraries = {}
     with open(path, encoding="utf-8") as file:
         for line in file:
@@ -26,7 +26,7 @@ def read_libraries(path: str) -> dict[str, tuple[set[str], list[str]]]:
 
 
 def reach(name: str, graph: dict[str, set[str]]) -> set[str]:
-    """All that a name needs, directly or not; itself only if there is a circle."""
+    """Returns all names that this one needs, directly or indirectly; includes itself only in a cycle."""
     found: set[str] = set()
     open_names = [name]
     while open_names:
@@ -36,7 +36,7 @@ def reach(name: str, graph: dict[str, set[str]]) -> set[str]:
     return found
 
 
-def circles(graph: dict[str, set[str]]) -> list[str]:
+def cycles(graph: dict[str, set[str]]) -> list[str]:
     return sorted(name for name in graph if name in reach(name, graph))
 
 
@@ -53,13 +53,13 @@ class Architecture(unittest.TestCase):
         for name in sources():
             self.assertIn(name.split("/")[1], self.libraries.keys() | NO_LIBRARY, name)
 
-    def test_links_have_no_circle(self):
-        self.assertEqual(circles(self.links), [])
+    def test_links_have_no_cycle(self):
+        self.assertEqual(cycles(self.links), [])
 
-    def test_a_circle_of_three_is_found(self):
-        self.assertEqual(circles({"a": {"b", "d"}, "b": {"c"}, "c": {"a"}, "d": {"e"}}), ["a", "b", "c"])
+    def test_a_cycle_of_three_is_found(self):
+        self.assertEqual(cycles({"a": {"b", "d"}, "b": {"c"}, "c": {"a"}, "d": {"e"}}), ["a", "b", "c"])
 
-    def test_mechanics_links_no_engine_and_the_engine_no_mechanics_but_numbers(self):
+    def test_mechanics_and_engine_do_not_link_each_other_except_numerics(self):
         for name in MECHANICS:
             self.assertFalse(reach(name, self.links) & {"literate", "paper", "assignment", "config"}, name)
         self.assertFalse(reach("literate", self.links) & (MECHANICS - {"numerics"}))
@@ -68,12 +68,12 @@ class Architecture(unittest.TestCase):
         for name in self.libraries.keys() - {"assignment"}:
             self.assertNotIn("assignment", reach(name, self.links), name)
 
-    def test_mechanics_knows_no_latex(self):
+    def test_mechanics_contains_no_latex(self):
         for folder in sorted(MECHANICS):
             for name in sources(f"src/{folder}"):
                 self.assertIsNone(LATEX.search(source_tree.text(name)), name)
 
-    def test_a_room_includes_only_itself_and_rooms_before_it(self):
+    def test_a_room_includes_only_itself_and_earlier_rooms(self):
         for library, (_, rooms) in self.libraries.items():
             for name in sources(f"src/{library}") if rooms else []:
                 here = name.split("/")[2] if name.count("/") > 2 else None
@@ -81,13 +81,13 @@ class Architecture(unittest.TestCase):
                     if here and header.startswith(library + "/") and header.count("/") > 1:
                         self.assertIn(header.split("/")[1], rooms[: rooms.index(here) + 1], f"{name} includes {header}")
 
-    def test_no_two_files_need_each_other(self):
-        needs: dict[str, set[str]] = {}  # a header and the source beside it count as one
+    def test_includes_have_no_cycle(self):
+        needs: dict[str, set[str]] = {}  # a header and its source count as one file
         for path in sources():
             name = path.removeprefix("src/").rsplit(".", 1)[0]
             headers = {header.rsplit(".", 1)[0] for header in INCLUDE.findall(source_tree.text(path))}
             needs.setdefault(name, set()).update(headers - {name})
-        self.assertEqual(circles(needs), [])
+        self.assertEqual(cycles(needs), [])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Each room keeps to the number of lines that src/budget.txt allows it, so that nothing grows back unseen."""
+"""No room exceeds its number of lines in src/budget.txt, so that nobody overlooks growth."""
 import sys
 import unittest
 
@@ -20,7 +20,7 @@ def lines_below(folders: str) -> int:
 
 
 class Budget(unittest.TestCase):
-    def test_no_room_is_larger_than_its_budget(self):
+    def test_no_room_exceeds_its_budget(self):
         for folders, most in read_budget():
             with self.subTest(folders):
                 self.assertLessEqual(lines_below(folders), most, f"lines in {folders}; see CONTRIBUTING.md")
@@ -30,7 +30,7 @@ class Budget(unittest.TestCase):
         for name in source_tree.files("src", "tests"):
             parts = name.split("/")
             candidates = {"/".join(parts[:n]) for n in range(1, len(parts) + 1)}
-            self.assertTrue(candidates & listed, f"{name} is in no room of src/budget.txt")
+            self.assertTrue(candidates & listed, f"src/budget.txt has no budget for {name}")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the Makefile promises before anything is built."""
+"""The Makefile prints help and detects misspelt names; nothing is built."""
 import subprocess
 import sys
 import unittest
@@ -30,7 +30,7 @@ class Make(unittest.TestCase):
     def test_a_variable_of_the_list_is_accepted(self):
         self.assertEqual(make("-n", "report", "CASE=mine.toml").returncode, 0)
 
-    def test_every_target_says_what_it_does(self):
+    def test_every_target_has_a_help_text(self):
         text = source_tree.text("Makefile")
         rules = [line for line in text.splitlines() if line[:1].isalpha() and ":" in line and "=" not in line.split(":")[0]]
         for rule in rules:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`make setup` installs the packages of a target, or says in one line why it cannot. apt and dpkg are replaced by scripts."""
+"""`make setup` installs the packages of a target or prints one line with the reason. Scripts replace apt and dpkg."""
 import pathlib
 import re
 import shutil
@@ -23,7 +23,7 @@ class Setup(unittest.TestCase):
         self.tool("id", "echo 0")
 
     def tool(self, name: str, script: str) -> None:
-        """Puts a script in the place of a tool."""
+        """Replaces a tool by a script."""
         path = self.folder / name
         path.unlink(missing_ok=True)
         path.write_text(f"#!/bin/sh\n{script}\n")
@@ -46,19 +46,19 @@ class Setup(unittest.TestCase):
         self.assertIn("libbenchmark-dev", run.stderr)
         self.assertNotIn("bubblewrap", run.stderr)
 
-    def test_where_nothing_is_missing_it_does_nothing(self):
+    def test_it_does_nothing_if_no_package_is_missing(self):
         self.tool("apt-get", "exit 1")
         self.tool("dpkg-query", "printf installed")
         self.assertEqual(self.setup("report").returncode, 0)
 
-    def test_it_asks_apt_for_what_is_missing_only(self):
+    def test_it_installs_only_missing_packages(self):
         self.tool("dpkg-query", 'case "$*" in *gnuplot-nox) ;; *) printf installed ;; esac')
-        self.tool("apt-get", f'echo "$*" >>{self.folder}/asked')
+        self.tool("apt-get", f'echo "$*" >>{self.folder}/arguments')
         run = self.setup("report")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertRegex((self.folder / "asked").read_text(), r"(?m)install --yes --no-install-recommends gnuplot-nox$")
+        self.assertRegex((self.folder / "arguments").read_text(), r"(?m)install --yes --no-install-recommends gnuplot-nox$")
 
-    def test_what_keeps_apt_from_its_work_is_one_line(self):
+    def test_an_error_of_apt_is_one_line(self):
         self.tool("dpkg-query", "")
         self.tool("apt-get", 'echo "E: Could not get lock /var/lib/dpkg/lock-frontend"; exit 100')
         run = self.setup("report")

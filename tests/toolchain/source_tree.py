@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The files of the repository, for tests that read them."""
+"""Lists and reads the files of the repository."""
 import pathlib
 import subprocess
 
@@ -7,7 +7,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def files(*folders: str) -> list[str]:
-    """The files below these folders, or all: those that git tracks; in an unpacked archive all that are there."""
+    """Lists the files below these folders, or all files: those that git tracks, or in an unpacked archive all that exist."""
     listed = subprocess.run(["git", "ls-files", "-z", "--", *folders], cwd=ROOT, capture_output=True, text=True)
     if listed.returncode == 0:
         return [name for name in listed.stdout.split("\0") if name and (ROOT / name).is_file()]
@@ -17,7 +17,7 @@ def files(*folders: str) -> list[str]:
 
 
 def text(name: str) -> str:
-    """The file's text; of a picture or a PDF nothing."""
+    """Returns the text of a file; empty for binary files."""
     try:
         return (ROOT / name).read_text(encoding="utf-8")
     except UnicodeDecodeError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What must not pile up in the tree, and what its documents name."""
+"""The tree has no unfinished work, no broken links and no source without a licence."""
 import re
 import sys
 import unittest
@@ -13,7 +13,7 @@ DOCUMENTS = ("README.md", "CONTRIBUTING.md", "src/DESIGN.md", "src/literate/READ
 
 
 class Tidiness(unittest.TestCase):
-    def test_nothing_is_left_for_later(self):
+    def test_no_source_has_a_note_of_unfinished_work(self):
         for name in source_tree.files("src", "figures", "tests", "report"):
             self.assertIsNone(LEFT_FOR_LATER.search(source_tree.text(name)), name)
 
@@ -24,7 +24,7 @@ class Tidiness(unittest.TestCase):
                 target = folder / link if link else source_tree.ROOT / path
                 self.assertTrue(target.exists(), f"{document} names {link or path}")
 
-    def test_every_source_names_its_licence(self):
+    def test_every_source_has_a_licence_line(self):
         for name in source_tree.files("src", "tests"):
             if name.endswith((".hpp", ".cpp", ".py", ".cmake")) and "/template/" not in name:
                 self.assertIn("SPDX-License-Identifier: GPL-3.0-or-later", source_tree.text(name)[:400], name)

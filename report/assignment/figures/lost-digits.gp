@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The relative error of eq. (3)'s slope when its three terms are added as they stand.
+# The relative error of the slope by eq. (3) when its three terms are added directly.
 set terminal cairolatex pdf size 13.5cm,4.8cm
 set output 'lost-digits.tex'
 three_terms(x) = (x + 1)*log(x + 1) + (x - 1)*log(x - 1) - 2*x*log(x)
-# log(1 - t) without loss for small t, after Kahan.
+# log(1 - t) without loss of digits for small t (Kahan).
 log_1_minus(t) = 1 - t == 1 ? -t : log(1 - t)*t/(1 - (1 - t))
 exact(x) = x*log_1_minus(1/x**2) + 2*atanh(1/x)
 error(x) = abs(three_terms(x)/exact(x) - 1)

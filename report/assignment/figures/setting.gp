@@ -17,7 +17,7 @@ $triangle << end
  0 1
  1 0
 end
-# Pressures at the nodes, and the triangle around each.
+# The pressure at each node, which is the peak of a triangle.
 $nodes << end
 -3 0
 -2 0.62

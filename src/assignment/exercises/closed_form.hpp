@@ -16,8 +16,8 @@ struct TriangularLoad {
 ///
 ///   ∂u_z/∂x = −[2(1−ν²)p₀/(πE)] [(ξ+1) ln|ξ+1| + (ξ−1) ln|ξ−1| − 2ξ ln|ξ|].
 ///
-/// For any x, the kinks 0 and ±a included, where t ln|t| has the limit 0. Far from the load the
-/// three terms are large and their sum is small; it must be right to eight digits at 10⁸ a too.
+/// For any x, including the kinks 0 and ±a, where t ln|t| has the limit 0. Far from the load the
+/// three terms are large and their sum is small. It must have eight correct digits even at 10⁸ a.
 double normal_gradient(const Material& material, const TriangularLoad& load, double x);
 
 }  // namespace exercise

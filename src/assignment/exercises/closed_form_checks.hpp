@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exercise 1: its task and its public checks. They hold no answers: each tests a property that the
-// right numbers have. This header is part of the handout.
+// Exercise 1: its task and its public checks. They contain no answers: each tests a property that
+// correct numbers have. This header is part of the handout.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,6 @@
 
 namespace assignment::closed_form {
 
-/// E ν p₀ a x₁ x₂ …
 inline Task task() {
   return {"gradient", "E ν p₀ a x₁ x₂ …", "∂u_z/∂x at each x, eq. (3)", 5, [](const Numbers& in) {
             return for_each_from(4, in, [&](double x, Numbers& out) {
@@ -21,7 +20,7 @@ inline Task task() {
           }};
 }
 
-/// The answer: ∂u_z/∂x at each x. Eq. (3) is for the triangle, so the shape does not count.
+/// Asks for ∂u_z/∂x at each x under the triangle of eq. (3), whatever the surface's shape.
 inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
   const Numbers inputs = joined({s.young, s.poisson, s.peak_pressure, s.half_width}, x);
   return judge::answer_of(program, "gradient", inputs, x.size());
@@ -50,7 +49,7 @@ inline Outcome gradient_falls_as_1_over_x(const Program& program, const OwnNumbe
   const Numbers x = times(surface.half_width, xi);
   const Numbers g = ask(program, surface, joined(x, times(2, x)));
 
-  Tally tally("the surface rises to the right of the load, by half the slope where x doubles");
+  Tally tally("the slope is negative to the right of the load, and halves when x doubles");
   const std::size_t n = xi.size();
   for (std::size_t i = 0; i < n; ++i) {
     const double next_term = 1 / (xi[i] * xi[i]);
@@ -65,7 +64,7 @@ inline Numbers two_slopes(const Program& program, const Surface& surface) {
   return ask(program, surface, {0.4 * surface.half_width, -2.3 * surface.half_width});
 }
 
-/// Whether the first numbers are `factor` times the second ones.
+/// Whether the two numbers in `one` are `factor` times those in `other`.
 inline bool is_multiple(const Numbers& one, const Numbers& other, double factor) {
   const double tolerance = roundings * greatest(one);
   return near(one[0], factor * other[0], tolerance) && near(one[1], factor * other[1], tolerance);
@@ -88,8 +87,7 @@ inline Outcome gradient_scales(const Program& program, const OwnNumbers& own) {
   tally.part(is_multiple(two_slopes(program, pressed), g, 3), "with the pressure");
   tally.part(is_multiple(two_slopes(program, stiff), g, 0.5), "with 1/E");
   tally.part(is_multiple(g, two_slopes(program, uncoupled), 1 - nu * nu), "with Poisson's ratio");
-  tally.part(is_multiple(two_slopes(program, wide), g, 1),
-             "with the size: at the same x/a it is the same");
+  tally.part(is_multiple(two_slopes(program, wide), g, 1), "with the size: it depends on x/a only");
   return tally.outcome();
 }
 

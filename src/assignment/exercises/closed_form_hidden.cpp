@@ -8,7 +8,7 @@
 namespace assignment::closed_form {
 namespace {
 
-// Abscissas in half-widths, under the load, beside it, and near the kinks 0 and ±1.
+// Abscissas x/a under the load, beside it, and near the kinks 0 and ±1.
 const Numbers near_the_load = {1e-3, 0.2, -0.5, 0.7071, -0.999, 1, 1.001, -1.5, 4, -15};
 
 Outcome gradient_is_right(const Program& program, const OwnNumbers& own) {

@@ -16,7 +16,7 @@ struct Cylinders {
   double radius2;
 };
 
-/// Nodes x_i = (i − (n−1)/2) c, i = 0 … n−1, each the middle of a triangle of half-width c.
+/// Nodes x_i = (i − (n−1)/2) c, i = 0 … n−1, each at the peak of a triangle of half-width c.
 struct Grid {
   int n_nodes;
   double spacing;  ///< c, m
@@ -35,10 +35,10 @@ struct Contact {
 ///   Σ_j A_{i−j} p_j + h_i − δ = 0 and p_i > 0  at the nodes in contact,
 ///   Σ_j A_{i−j} p_j + h_i − δ ≥ 0 and p_i = 0  at the others,      c Σ_j p_j = P,
 ///
-/// with h = (x²/2)(1/R₁ + 1/R₂) and 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂. Solved as linear equations for
-/// the nodes thought to be in contact; pressures that come out negative are left out, and it is
-/// solved again. a = 2√⟨x²⟩, where ⟨x²⟩ = Σ p_i (x_i² + c²/6) / Σ p_i is the second moment of the
-/// pressure, the triangles' own included.
+/// with h = (x²/2)(1/R₁ + 1/R₂) and 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂. Solve linear equations for the
+/// nodes assumed to be in contact, remove the nodes with negative pressure, and solve again until
+/// there are none. a = 2√⟨x²⟩, where ⟨x²⟩ = Σ p_i (x_i² + c²/6) / Σ p_i is the second moment of the
+/// pressure, including that of each triangle about its own peak.
 Contact solve_contact(const Cylinders& cylinders, const Grid& grid, double datum, double line_load);
 
 }  // namespace exercise

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exercise 5: its task and its public checks. They hold no answers: each tests a property that the
-// right numbers have. This header is part of the handout.
+// Exercise 5: its task and its public checks. They contain no answers: each tests a property that
+// correct numbers have. This header is part of the handout.
 #pragma once
 
 #include <algorithm>
@@ -26,14 +26,14 @@ inline Task task() {
           }};
 }
 
-/// The answer: the approach δ, the half-width a, and the pressure at each node.
+/// The program's answer: the approach δ, the half-width a, and the pressure at each node.
 struct Answer {
   double approach;
   double half_width;
   Numbers pressure;
 };
 
-/// The numbers that a question about these cylinders has.
+/// The inputs of the task for these cylinders.
 inline Numbers inputs_of(const Cylinders& c) {
   return {c.young1,    c.poisson1, c.radius1,
           c.young2,    c.poisson2, c.radius2,
@@ -50,8 +50,8 @@ inline Answer ask(const Program& program, const Cylinders& c) {
       Numbers(numbers.begin() + static_cast<std::ptrdiff_t>(n_before_pressures), numbers.end())};
 }
 
-/// The gap u_z1 + u_z2 + h − δ at each node, eqs. (1a) and (1b), with the coefficients that the
-/// program itself gives; NaN where a coefficient is NaN.
+/// Computes the gap u_z1 + u_z2 + h − δ at each node, eqs. (1a) and (1b), with the coefficients of
+/// the student's program; NaN where a coefficient is NaN.
 inline Numbers gaps(const Program& program, const Cylinders& c, const Answer& contact) {
   Numbers k(static_cast<std::size_t>(c.n_nodes));
   std::iota(k.begin(), k.end(), 0);
@@ -70,20 +70,20 @@ inline Numbers gaps(const Program& program, const Cylinders& c, const Answer& co
 
 inline constexpr double pressure_roundings = 1e-8;
 
-/// The same cylinders with a part of the load, so that the contact still fits into the grid.
+/// The same cylinders under a fraction of the load.
 inline Cylinders with_load(Cylinders cylinders, double share) {
   cylinders.line_load *= share;
   return cylinders;
 }
 
 inline Outcome contact_carries_the_load(const Program& program, const OwnNumbers& own) {
-  Tally tally("spacing times the sum of the pressures is the load");
+  Tally tally("the sum of the pressures times the spacing is the load");
   for (const double share : {1., 0.6}) {
     const Cylinders c = with_load(cylinders_of(own), share);
     const Numbers p = ask(program, c).pressure;
     const double carried = c.spacing * std::accumulate(p.begin(), p.end(), 0.0);
     tally.part(near(carried, c.line_load, pressure_roundings * c.line_load),
-               at("part of your load", share));
+               at("fraction of your load", share));
   }
   return tally.outcome();
 }
@@ -120,13 +120,13 @@ inline Outcome contact_closes_the_gap(const Program& program, const OwnNumbers& 
       if (contact.pressure[i] != 0) is_closed = is_closed && near(gap[i], 0, tolerance);
       if (contact.pressure[i] == 0) is_open = is_open && gap[i] >= -tolerance;
     }
-    tally.part(is_closed, at("is zero where there is pressure, part of your load", share));
-    tally.part(is_open, at("is not negative where there is none, part of your load", share));
+    tally.part(is_closed, at("is zero where there is pressure, fraction of your load", share));
+    tally.part(is_open, at("is not negative elsewhere, fraction of your load", share));
   }
   return tally.outcome();
 }
 
-/// Whether both lists agree to `tolerance` times the greatest number.
+/// Whether the lists agree within `tolerance` times the greatest number of `b`.
 inline bool same(const Numbers& a, const Numbers& b, double tolerance) {
   bool all = true;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -149,17 +149,17 @@ inline Outcome contact_scales(const Program& program, const OwnNumbers& own) {
   const Answer three = ask(program, stiff);
   const double a = one.half_width;
 
-  Tally tally(
-      "twice spacing and datum and four times the load (1), three times modulus and load (2)");
-  tally.part(same(times(2, one.pressure), two.pressure, tolerance), "(1) double the pressure");
-  tally.part(a > 0 && near(2 * a, two.half_width, tolerance * a), "(1) double the half-width");
-  tally.part(same(times(3, one.pressure), three.pressure, tolerance), "(2) treble the pressure");
-  tally.part(a > 0 && near(a, three.half_width, tolerance * a), "(2) leave the half-width alone");
+  Tally tally("spacing and datum doubled, load quadrupled (1); modulus and load tripled (2)");
+  tally.part(same(times(2, one.pressure), two.pressure, tolerance), "(1) doubles the pressure");
+  tally.part(a > 0 && near(2 * a, two.half_width, tolerance * a), "(1) doubles the half-width");
+  tally.part(same(times(3, one.pressure), three.pressure, tolerance), "(2) triples the pressure");
+  tally.part(a > 0 && near(a, three.half_width, tolerance * a),
+             "(2) does not change the half-width");
   return tally.outcome();
 }
 
-/// The half-width found with `spacings` and three eighths of a spacing over the half-width a. The
-/// fraction is always the same, because the error depends on where the contact ends between nodes.
+/// Asks for the half-width on a grid whose spacing is a/(spacings + 3/8). The fraction 3/8 is
+/// always the same, because the error depends on where the contact ends between two nodes.
 inline double half_width_on(const Program& program, Cylinders c, double a, int spacings) {
   c.spacing = a / (spacings + 0.375);
   c.n_nodes = 2 * static_cast<int>(1.3 * spacings) + 1;
@@ -169,14 +169,15 @@ inline double half_width_on(const Program& program, Cylinders c, double a, int s
 inline Outcome contact_half_width_converges(const Program& program, const OwnNumbers& own) {
   const Cylinders c = cylinders_of(own);
   const double a = ask(program, c).half_width;
-  if (!(a > 0)) return {0, "the half-width is not above 0"};
-  Tally tally("each halving of the spacing changes the half-width by a quarter of the last change");
+  if (!(a > 0)) return {0, "the half-width is not positive"};
+  Tally tally(
+      "each halving of the spacing changes the half-width by a quarter of the previous change");
   for (const int spacings : {8, 12}) {
     const double coarse = half_width_on(program, c, a, spacings);
     const double middle = half_width_on(program, c, a, 2 * spacings);
     const double fine = half_width_on(program, c, a, 4 * spacings);
     const double ratio = (coarse - middle) / (middle - fine);
-    tally.part(ratio > 3 && ratio < 5, at("spacings over the half-width at first", spacings));
+    tally.part(ratio > 3 && ratio < 5, at("initial number of spacings per half-width", spacings));
   }
   return tally.outcome();
 }

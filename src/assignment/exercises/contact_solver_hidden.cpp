@@ -11,7 +11,8 @@
 namespace assignment::contact_solver {
 namespace {
 
-// The pair of these numbers and three others like it, each on a grid that ends outside the contact.
+// The student's pair of cylinders and three variants, each with a grid that extends beyond the
+// contact.
 std::vector<std::pair<std::string, Cylinders>> pairs_of(const OwnNumbers& own) {
   const Cylinders pair = cylinders_of(own);
   Cylinders light = pair;
@@ -20,7 +21,7 @@ std::vector<std::pair<std::string, Cylinders>> pairs_of(const OwnNumbers& own) {
   std::swap(swapped.young1, swapped.young2);
   std::swap(swapped.poisson1, swapped.poisson2);
   swapped.line_load *= 0.8;
-  // Modulus, load and curvature change together, so that the half-width stays the same.
+  // Modulus, load and curvature change together so that the half-width hardly changes.
   Cylinders soft = pair;
   soft.young2 *= 0.2;
   soft.poisson2 = 0.45;
@@ -30,7 +31,7 @@ std::vector<std::pair<std::string, Cylinders>> pairs_of(const OwnNumbers& own) {
                         (pair.contact_modulus() * pair.relative_curvature());
   soft.line_load *= 0.9 * factor;
   return {{"a pair", pair},
-          {"the same pair under a part of its load", light},
+          {"the same pair under a fraction of its load", light},
           {"the same pair with its materials swapped", swapped},
           {"a different pair", soft}};
 }

@@ -11,8 +11,8 @@ namespace exercise {
 ///
 ///   u_z(x) = −[2(1−ν²)/(πE)] ∫ p(s) ln|(x−s)/(datum−s)| ds over −a ≤ s ≤ a,
 ///
-/// by numerical integration. Must be good to 10⁻⁸ of p₀a/E. Any x and datum, under the load as
-/// well.
+/// by numerical integration. Must be accurate to 10⁻⁸ p₀a/E for any x and datum, including those
+/// under the load.
 double normal_displacement(const Material& material, const Load& load, double datum, double x);
 
 }  // namespace exercise

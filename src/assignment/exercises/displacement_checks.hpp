@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exercise 3: its task and its public checks. They hold no answers: each tests a property that the
-// right numbers have. This header is part of the handout.
+// Exercise 3: its task and its public checks. They contain no answers: each tests a property that
+// correct numbers have. This header is part of the handout.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ inline Task task() {
           }};
 }
 
-/// The answer: u_z at each x.
+/// Asks for u_z at each x.
 inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
   const Numbers inputs =
       joined({s.young, s.poisson, s.shape, s.peak_pressure, s.half_width, s.datum}, x);
@@ -44,8 +44,8 @@ inline Outcome displacement_keeps_datum(const Program& program, const OwnNumbers
   return tally.outcome();
 }
 
-/// The derivative of u at the middle of five points h apart (error h⁴/30 times the fifth
-/// derivative).
+/// The derivative at the middle of five values with spacing h. The error is h⁴/30 times the fifth
+/// derivative.
 inline double slope_of(const Numbers& u, std::size_t first, double h) {
   return (u[first] - 8 * u[first + 1] + 8 * u[first + 3] - u[first + 4]) / (12 * h);
 }
@@ -54,8 +54,8 @@ inline Outcome displacement_has_the_slope(const Program& program, const OwnNumbe
   const Surface surface = surface_of(own);
   const double a = surface.half_width;
   const Numbers xi = {0.25, -0.5, 0.7, 1.4, 4};
-  const double step =
-      0.02;  // a tenth of the distance to the next kink, which gives an error of 1e-5
+  // A tenth of the distance to the nearest kink, which gives an error of 1e-5.
+  const double step = 0.02;
   Numbers x;
   for (const double middle : xi) {
     for (const int k : {-2, -1, 0, 1, 2}) x.push_back((middle + k * step) * a);
@@ -77,7 +77,9 @@ inline Outcome displacement_has_the_shape(const Program& program, const OwnNumbe
       ask(program, surface, {0, 0.5 * a, a, 3 * a, 50 * a, 100 * a, 200 * a, 400 * a});
   const double fall = u[4] - u[5];
 
-  Tally tally("u_z falls away from the middle, and far away by as much in each doubling of x");
+  Tally tally(
+      "u_z falls with the distance from the middle, far away by the same amount with each "
+      "doubling");
   tally.part(u[0] > u[1] && u[1] > u[2], "from 0 to a");
   tally.part(u[2] > u[3] && u[3] > u[4], "from a to 50 a");
   tally.part(fall > 0 && near(u[5] - u[6], fall, 1e-3 * fall), "from 50 a to 200 a");

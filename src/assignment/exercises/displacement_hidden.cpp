@@ -13,7 +13,7 @@ double unit_displacement(const Surface& surface) {
   return surface.peak_pressure * surface.half_width / surface.young;
 }
 
-// Counts at how many of these places u_z is right, with the surface's datum.
+// Adds to the tally whether u_z is right at each of these places.
 void test_displacement(const Program& program, Surface surface, const Places& places,
                        Tally& tally) {
   surface.shape = places.shape;

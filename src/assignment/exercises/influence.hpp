@@ -4,14 +4,14 @@
 
 namespace exercise {
 
-/// The influence coefficient A_k: u_z1 + u_z2 of two surfaces k spacings away from the peak of a
-/// triangle of pressure 1 Pa, whose half-width is the spacing c, zero at the distance datum. By
-/// eq. (3), with E* in place of E/(1−ν²),
+/// The influence coefficient A_k: the displacement u_z1 + u_z2 of two surfaces k spacings away from
+/// the peak of a triangle of pressure 1 Pa, whose half-width is the spacing c. It is zero at the
+/// distance datum. By eq. (3), with E* instead of E/(1−ν²),
 ///
 ///   A_k = −[2c/(πE*)] [T(k) − T(datum/c)],
 ///   T(k) = ½[(k+1)² ln|k+1| + (k−1)² ln|k−1| − 2k² ln|k|] − 3/2.
 ///
-/// k may be negative. T must be good to 10⁻⁹ up to k = 10⁵.
+/// k may be negative. T must be accurate to a relative 10⁻⁹ up to k = 10⁵.
 double influence_coefficient(double contact_modulus, double spacing, double datum, int k);
 
 }  // namespace exercise

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exercise 4: its task and its public checks. They hold no answers: each tests a property that the
-// right numbers have. This header is part of the handout.
+// Exercise 4: its task and its public checks. They contain no answers: each tests a property that
+// correct numbers have. This header is part of the handout.
 #pragma once
 
 #include <cmath>
@@ -23,8 +23,7 @@ inline Task task() {
           }};
 }
 
-/// The answer: u_z1 + u_z2 at each of the whole numbers k of spacings from a triangle of
-/// pressure 1.
+/// Asks for u_z1 + u_z2 at k spacings from a triangle of pressure 1, for each whole number k.
 inline Numbers ask(const Program& program, double contact_modulus, double spacing, double datum,
                    const Numbers& k) {
   const Numbers inputs = joined({contact_modulus, spacing, datum}, k);
@@ -41,10 +40,10 @@ inline Outcome influence_has_the_shape(const Program& program, const OwnNumbers&
 
   Tally tally("the coefficients are those of a triangle");
   tally.part(near(u[1], u[5], tolerance) && near(u[4], u[6], tolerance), "k and −k give the same");
-  tally.part(u[0] > u[1] && u[1] > u[2] && u[2] > u[3] && u[3] > u[4], "less with each k ≥ 0");
-  tally.part(near(u[7], 0, tolerance), "zero where k spacings are the datum");
+  tally.part(u[0] > u[1] && u[1] > u[2] && u[2] > u[3] && u[3] > u[4], "they decrease with k ≥ 0");
+  tally.part(near(u[7], 0, tolerance), "zero at the datum");
   tally.part(fall > 0 && near(u[9] - u[10], fall, 1e-3 * fall),
-             "as much less in each doubling of k, far away");
+             "far away, they decrease by the same amount with each doubling of k");
   return tally.outcome();
 }
 
@@ -60,8 +59,10 @@ inline Outcome influence_refines(const Program& program, const OwnNumbers& own) 
     return fine[2 * i] / 2 + fine[2 * i + 1] + fine[2 * i + 2] / 2;
   };
 
-  // Differences are compared, since the small triangles lie at different distances from the datum.
-  Tally tally("a triangle over four spacings is half, one and half of three over two");
+  // Compare differences, because the small triangles have different distances from the datum.
+  Tally tally(
+      "a triangle four spacings wide is the sum of three that are two wide, with weights 1/2, 1, "
+      "1/2");
   for (std::size_t i = 1; i < k.size(); ++i) {
     const double scale = large[0] - large[i];
     tally.part(near(large[0] - large[i], composed(0) - composed(i), 100 * roundings * scale),
@@ -75,11 +76,11 @@ inline Outcome influence_is_displacement(const Program& program, const OwnNumber
   const double modulus = c.contact_modulus();
   const Numbers k = {0, 1, 2, 7, 30};
   const Numbers coefficients = ask(program, modulus, c.spacing, c.datum, k);
-  // One body with E/(1−ν²) = E* takes the place of two.
+  // One body with E/(1−ν²) = E* is equivalent to the two.
   const Surface surface{modulus * (1 - c.poisson1 * c.poisson1), c.poisson1, 1, c.spacing, c.datum};
   const Numbers u = displacement::ask(program, surface, times(c.spacing, k));
 
-  Tally tally("the coefficient is your displacement of exercise 3");
+  Tally tally("the coefficients agree with your displacements of exercise 3");
   for (std::size_t i = 0; i < k.size(); ++i) {
     tally.part(near(coefficients[i], u[i], 1e-7 * greatest(u)), at("k", k[i]));
   }

@@ -29,7 +29,7 @@ Outcome influence_is_right(const Program& program, const OwnNumbers& own) {
 
 Outcome influence_keeps_digits(const Program& program, const OwnNumbers& own) {
   const Cylinders c = cylinders_of(own);
-  const double datum = 2 * c.spacing;  // near, so that its part of A_k does not hide the digits
+  const double datum = 2 * c.spacing;  // near, so that T(datum/c) does not hide errors of T(k)
   return compare("the coefficients far away are right to nine digits", program, c, datum,
                  {30, 300, 3e3, -3e4, 1e5});
 }

@@ -10,10 +10,10 @@ namespace exercise {
 ///
 ///   ∂u_z/∂x = −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds over −a ≤ s ≤ a,
 ///
-/// a Cauchy principal value where x lies under the load. `value` must be good to 10⁻⁷ of the
-/// greatest slope, and the truth must lie within `abs_error` of it, also where GSL's own estimate
-/// is too small. An error of zero, or of more than 10⁻⁶ of the greatest slope, does not count, and
-/// neither does one number above 10⁻⁹ of it for all places of a load.
+/// a Cauchy principal value if x lies under the load. `value` must be accurate to 10⁻⁷ of the
+/// greatest slope, and the true slope must lie within `abs_error` of it, even where GSL's own
+/// estimate is too small. An error bound must be greater than zero and at most 10⁻⁶ of the greatest
+/// slope. The same bound at all places of a load does not count if it exceeds 10⁻⁹ of that slope.
 Estimate normal_gradient_by_quadrature(const Material& material, const Load& load, double x);
 
 }  // namespace exercise

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exercise 2: its task and its public checks. They hold no answers: each tests a property that the
-// right numbers have. This header is part of the handout.
+// Exercise 2: its task and its public checks. They contain no answers: each tests a property that
+// correct numbers have. This header is part of the handout.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@
 
 namespace assignment::quadrature {
 
-/// Eqs. (2) and (3) must agree to this part of the greatest slope.
+/// Eqs. (2) and (3) must agree to this fraction of the greatest slope.
 inline constexpr double agreement = 1e-7;
 
-/// Error estimates may not be larger than this part of the greatest slope.
+/// Error estimates must not exceed this fraction of the greatest slope.
 inline constexpr double most_reported = 1e-6;
 
-/// The abscissas x/a at which the public checks try.
+/// The abscissas x/a of the public checks.
 inline constexpr double points[] = {0.15, -0.5, 0.95, 1.05, 3};
 
 inline Task task() {
@@ -35,7 +35,7 @@ inline Task task() {
           }};
 }
 
-/// The answer: ∂u_z/∂x at each x by eq. (2), and its error.
+/// The program's answer: ∂u_z/∂x by eq. (2) at each x, and its error bound.
 struct Answer {
   Numbers value;
   Numbers abs_error;
@@ -72,13 +72,14 @@ inline Outcome quadrature_error_covers(const Program& program, const OwnNumbers&
   const Answer q = ask(program, surface, x);
 
   Tally tally(
-      "the reported error covers the difference from your eq. (3), and is above 0 and at most "
+      "the reported error covers the difference from your eq. (3), is greater than 0, and is at "
+      "most "
       "1e-6 of the greatest slope");
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double reported = q.abs_error[i];
-    const bool says_something = reported > 0 && reported <= most_reported * greatest(g);
+    const bool is_plausible = reported > 0 && reported <= most_reported * greatest(g);
     const double of_eq_3 = 1e-12 * greatest(g);
-    tally.part(says_something && near(q.value[i], g[i], reported + of_eq_3), at("x/a", points[i]));
+    tally.part(is_plausible && near(q.value[i], g[i], reported + of_eq_3), at("x/a", points[i]));
   }
   return tally.outcome();
 }

@@ -10,7 +10,7 @@
 namespace assignment::quadrature {
 namespace {
 
-// The greatest slope at 81 places under the load and beside it, within 1 % of the greatest.
+// The greatest slope at 81 places under and beside the load, which is within 1 % of the maximum.
 double greatest_slope(const Surface& surface) {
   Numbers x;
   for (int i = -40; i <= 40; ++i) x.push_back(surface.half_width * i / 32);
@@ -20,7 +20,7 @@ double greatest_slope(const Surface& surface) {
 }
 
 Outcome quadrature_is_right(const Program& program, const OwnNumbers& own) {
-  // The triangle has few places, because it has a closed form.
+  // The triangle has only one place, because it has a closed form.
   const std::vector<Places> places = {{shape::triangle, {1}},
                                       {shape::smooth, {1e-3, 0.3, -0.9, 1, -1.8}},
                                       {shape::one_sided, {0, -0.6, -0.9999, -1, 1.0001, 5, -40}},
@@ -40,17 +40,17 @@ Outcome quadrature_is_right(const Program& program, const OwnNumbers& own) {
   return tally.outcome();
 }
 
-// To six digits, so that adding a last place or two does not turn a constant into an estimate.
+// Compares six digits, so that changes in the last digits do not turn a constant into an estimate.
 bool are_all_the_same(const Numbers& errors) {
   return std::all_of(errors.begin(), errors.end(), [&](double error) {
     return near(error, errors.front(), 1e-6 * errors.front());
   });
 }
 
-// A solution that adds a least value to GSL's estimates, for the rounding that they leave out,
-// reports the same error wherever GSL finds less. Such a value is small; an invented constant is
-// not.
-constexpr double most_of_a_least_value = 1e-9;
+// A solution may use a minimum for GSL's estimates, because they ignore rounding. It then reports
+// the same error wherever GSL's estimate is smaller. Such a minimum is small; an invented constant
+// is not.
+constexpr double most_of_a_minimum = 1e-9;
 
 Outcome quadrature_is_honest(const Program& program, const OwnNumbers& own) {
   const std::vector<Places> places = {{shape::triangle, {0.77}},
@@ -59,7 +59,7 @@ Outcome quadrature_is_honest(const Program& program, const OwnNumbers& own) {
                                       {waves(own), {0.3, -0.6, 0.9, 1.1}}};
   Surface surface = surface_of(own);
   Tally tally(
-      "the truth is within the reported error, which is at most 1e-6 of the greatest slope");
+      "the true slope is within the reported error, which is at most 1e-6 of the greatest slope");
   for (const auto& [shape, xi] : places) {
     surface.shape = shape;
     const Numbers x = times(surface.half_width, xi);
@@ -68,15 +68,15 @@ Outcome quadrature_is_honest(const Program& program, const OwnNumbers& own) {
     const double slope = greatest_slope(surface);
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double reported = q.abs_error[i];
-      const bool says_something = reported > 0 && reported <= most_reported * slope;
+      const bool is_plausible = reported > 0 && reported <= most_reported * slope;
       const double margin = reported + truth[i].abs_error;
-      tally.part(says_something && near(q.value[i], truth[i].value, margin), place(xi[i], shape));
+      tally.part(is_plausible && near(q.value[i], truth[i].value, margin), place(xi[i], shape));
     }
-    const bool is_large = q.abs_error.front() > most_of_a_least_value * slope;
+    const bool is_large = q.abs_error.front() > most_of_a_minimum * slope;
     if (x.size() > 1 && is_large && are_all_the_same(q.abs_error)) {
       return {0,
-              "the reported error is the same number at all places of one load, and more than 1e-9 "
-              "of the greatest slope"};
+              "the reported error is the same at all places of one load, and more than 1e-9 of the "
+              "greatest slope"};
     }
   }
   return tally.outcome();

@@ -15,11 +15,11 @@ struct Surface {
   double young, poisson;           ///< E, ν
   double peak_pressure;            ///< p₀
   double half_width;               ///< a
-  double datum;                    ///< the x where u_z = 0
+  double datum;                    ///< the x at which u_z = 0
   double shape = shape::triangle;  ///< the number of the pressure's shape
 };
 
-/// Body 1 of a student's numbers, under the triangle.
+/// The surface of body 1 under the triangle, with a student's numbers.
 inline Surface surface_of(const OwnNumbers& own) {
   return {own.young1, own.poisson1, own.peak_pressure, own.half_width, own.datum};
 }
@@ -42,7 +42,7 @@ struct Cylinders {
   double relative_curvature() const { return 1 / radius1 + 1 / radius2; }
 };
 
-/// The two bodies of a student's numbers, with their load and grid.
+/// The two cylinders, their load and their grid, with a student's numbers.
 inline Cylinders cylinders_of(const OwnNumbers& own) {
   return {own.young1,    own.poisson1, own.radius1,
           own.young2,    own.poisson2, own.radius2,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Given to students, so that they need no library for it. This header is part of the handout.
+// Students call this function, so they need not learn a library. This header is part of the
+// handout.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +8,7 @@
 
 namespace exercise {
 
-/// A square matrix of n rows and columns, which begins as zeros.
+/// A square matrix with n rows and columns, initially zero.
 class Matrix {
  public:
   explicit Matrix(std::size_t n) : n_(n), entries_(n * n) {}
@@ -24,7 +25,7 @@ class Matrix {
   std::vector<double> entries_;
 };
 
-/// The x with matrix·x = right_side, by Gaussian elimination with partial pivoting.
+/// Returns the x that solves matrix·x = right_side, by Gaussian elimination with partial pivoting.
 std::vector<double> solve_linear_equations(const Matrix& matrix,
                                            const std::vector<double>& right_side);
 

@@ -10,7 +10,7 @@
 namespace assignment {
 namespace {
 
-// A quantity is drawn from `from`, from + step, … up to `to`.
+// A quantity is one of from, from + step, …, to.
 struct Quantity {
   const char* name;
   const char* unit;
@@ -34,7 +34,7 @@ constexpr Quantity quantities[] = {
     {"datum", "m", &OwnNumbers::datum, 0.2, 0.3, 0.002, 0.254},
 };
 
-// FNV-1a, with splitmix64 to spread the bits (Vigna 2015, public domain).
+// FNV-1a, followed by splitmix64 to mix the bits (Vigna 2015, public domain).
 std::uint64_t hash_of(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -54,7 +54,7 @@ OwnNumbers drawn(const std::string& id, int attempt) {
   return numbers;
 }
 
-// (1 − ν²)/E, a body's part of 1/E*.
+// (1 − ν²)/E, the contribution of one body to 1/E*.
 double compliance(double young, double poisson) {
   return (1 - poisson * poisson) / young;
 }
@@ -81,7 +81,7 @@ OwnNumbers own_numbers(const std::string& id) {
 }
 
 bool is_valid(const OwnNumbers& n) {
-  // Hertz's half-width and greatest pressure, Johnson (4.43) and (4.45).
+  // Hertz's half-width and peak pressure, Johnson (4.43) and (4.45).
   const double modulus = 1 / (compliance(n.young1, n.poisson1) + compliance(n.young2, n.poisson2));
   const double curvature = 1 / n.radius1 + 1 / n.radius2;
   const double a = std::sqrt(4 * n.line_load / (std::numbers::pi * modulus * curvature));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pressures of exercises 2 and 3, which the tasks name by number. This header is part of the
+// The pressures of exercises 2 and 3, which tasks select by number. This header is part of the
 // handout, so it uses the standard library only.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace assignment {
 
-/// The number of a pressure over ξ = s/a that is zero for |ξ| > 1. From fewest_waves to most_waves
-/// it is the k of p₀(1 − ξ²)(1 + ½ sin kξ), which has no closed form in these variables.
+/// Numbers of pressures over ξ = s/a, which are zero for |ξ| > 1. A number k from fewest_waves to
+/// most_waves selects p₀(1 − ξ²)(1 + ½ sin kξ), for which there is no elementary closed form.
 namespace shape {
 inline constexpr double triangle = 0;   ///< p₀(1 − |ξ|), eq. (4)
 inline constexpr double smooth = 1;     ///< p₀(1 − ξ²)²
@@ -21,8 +21,8 @@ inline constexpr double fewest_waves = 3;
 inline constexpr double most_waves = 12;
 }  // namespace shape
 
-/// p(s) in Pa, with p₀ = unit_pressure and a = half_width. Throws std::invalid_argument if no
-/// pressure has this number.
+/// Returns p(s) in Pa, with p₀ = unit_pressure and a = half_width. Throws std::invalid_argument if
+/// no pressure has this number.
 inline double pressure(double number, double unit_pressure, double half_width, double s) {
   const double at = s / half_width;
   if (std::abs(at) >= 1) return 0;
@@ -36,7 +36,7 @@ inline double pressure(double number, double unit_pressure, double half_width, d
   throw std::invalid_argument("there is no pressure number " + std::to_string(number));
 }
 
-/// The pressure that the numbers S p₀ a of a task stand for, where S is the number of its shape.
+/// Makes the load from the inputs S, p₀ and a of a task, where S is the number of the pressure.
 /// Throws std::invalid_argument if no pressure has this number.
 inline exercise::Load load_of(double number, double unit_pressure, double half_width) {
   pressure(number, unit_pressure, half_width, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What several of the functions that students write take and return. All numbers are in SI units.
-// This header is part of the handout.
+// Types shared by several of the students' functions. All numbers are in SI units. This header is
+// part of the handout.
 #pragma once
 
 #include <functional>
@@ -12,15 +12,15 @@ struct Material {
   double poisson;  ///< ν
 };
 
-/// Any pressure p(s) on −a ≤ s ≤ a. It is zero at ±a and outside, has kinks at 0 and ±a at most, is
-/// smooth elsewhere, and need not be symmetric. It is known only by its values.
+/// Any pressure p(s) on −a ≤ s ≤ a, given by its values. It is zero for |s| ≥ a, may have kinks at
+/// 0 and ±a, is smooth elsewhere, and need not be symmetric.
 struct Load {
   std::function<double(double)> pressure;  ///< p in Pa at any s in m
   double half_width;                       ///< a, m
-  double unit_pressure;                    ///< p₀, Pa: the order of p's greatest value
+  double unit_pressure;                    ///< p₀, Pa: the magnitude of p
 };
 
-/// A number and a bound of its error: the truth lies within [value − abs_error, value + abs_error].
+/// A number and a bound of its error: the true value is in [value − abs_error, value + abs_error].
 struct Estimate {
   double value;
   double abs_error;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What public checks and tasks share. This header is part of the handout, so it uses the standard
-// library only.
+// Types and functions for public checks and tasks. This header is part of the handout, so it uses
+// the standard library only.
 #pragma once
 
 #include <cstddef>
@@ -24,16 +24,17 @@ using judge::Program;
 using judge::Tally;
 using judge::times;
 
-/// One task of the student's program: numbers in, numbers out, all in SI units.
+/// A task of the student's program. Inputs and answer are numbers in SI units.
 struct Task {
   std::string name;
-  std::string takes;     ///< the inputs in their order, such as "E ν p₀ a x₁ x₂ …"
+  std::string takes;     ///< the inputs in order, such as "E ν p₀ a x₁ x₂ …"
   std::string gives;     ///< the answer, such as "∂u_z/∂x at each x"
-  std::size_t n_inputs;  ///< the least number of inputs
+  std::size_t n_inputs;  ///< the minimum number of inputs
   Numbers (*run)(const Numbers& inputs);  ///< calls the student's function
 };
 
-/// The answer for the numbers from `first` on: `compute` takes each with the answer to append to.
+/// Computes the answer for the inputs from index `first` on: `compute` gets each input and the
+/// answer, to which it appends.
 template <class Compute>
 Numbers for_each_from(std::size_t first, const Numbers& in, const Compute& compute) {
   Numbers out;
@@ -41,7 +42,7 @@ Numbers for_each_from(std::size_t first, const Numbers& in, const Compute& compu
   return out;
 }
 
-/// A check of this assignment, with the id that assignment.toml lists.
+/// A check with its id in assignment.toml.
 struct Check {
   std::string id;
   Outcome (*outcome)(const Program& program, const OwnNumbers& own);
@@ -49,7 +50,7 @@ struct Check {
 
 using Checks = std::vector<Check>;
 
-/// The checks for these numbers, as a judge takes them.
+/// The checks with these numbers, in the form that a judge needs.
 inline std::vector<judge::Check> bound(const Checks& checks, const OwnNumbers& own) {
   std::vector<judge::Check> result;
   for (const Check& check : checks) {
@@ -60,7 +61,8 @@ inline std::vector<judge::Check> bound(const Checks& checks, const OwnNumbers& o
   return result;
 }
 
-/// Allows for a few roundings and for the digits that a sum of logarithms loses near the load.
+/// A relative tolerance for rounding errors and for the digits that a sum of logarithms loses near
+/// the load.
 inline constexpr double roundings = 1e-9;
 
 }  // namespace assignment

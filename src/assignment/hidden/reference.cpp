@@ -19,8 +19,7 @@ using judge::Numbers;
 
 elasticity::SurfaceQuadrature surface_under_load(const Surface& s) {
   const auto p = [=](double at) { return pressure(s.shape, s.peak_pressure, s.half_width, at); };
-  const elasticity::Load load =
-      elasticity::distributed_load(p, {-s.half_width, 0, s.half_width});
+  const elasticity::Load load = elasticity::distributed_load(p, {-s.half_width, 0, s.half_width});
   return {elasticity::Material(s.young, s.poisson), load, s.datum};
 }
 
@@ -67,14 +66,15 @@ ContactOfCylinders contact_of(const Cylinders& c) {
       Radius::of_cylinder("radius2", c.radius2));
   const line_contact::Solution solution = line_contact::solve_by_matrix_inversion(
       {pair.profile(), pair.contact_modulus(), {c.n_nodes, c.spacing}}, c.line_load);
-  // Where the pressure is greatest the gap is closed: the approach is gap and displacement there.
+  // At the greatest pressure the surfaces touch, so the approach is the initial gap plus the
+  // displacement there.
   Eigen::Index touching = 0;
   solution.pressure.maxCoeff(&touching);
   double approach = pair.profile().gap(solution.grid.x(touching));
   for (Eigen::Index i = 0; i < solution.pressure.size(); ++i) {
     const auto k = static_cast<double>(std::abs(i - touching));
-    approach += influence_coefficient(pair.contact_modulus(), c.spacing, c.datum, k) *
-                solution.pressure[i];
+    approach +=
+        influence_coefficient(pair.contact_modulus(), c.spacing, c.datum, k) * solution.pressure[i];
   }
   return {approach, solution.half_width(),
           Numbers(solution.pressure.begin(), solution.pressure.end())};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The right answers, by this project's own functions. The hidden checks compare with them.
+// The correct answers, computed by the mechanics of this project. The hidden checks compare with
+// them.
 #pragma once
 
 #include "assignment/given/bodies.hpp"
@@ -14,10 +15,10 @@ judge::Numbers slopes_in_closed_form(const Surface& surface, const judge::Number
 /// ∂u_z/∂x at each x under the surface's load, eq. (2).
 std::vector<exercise::Estimate> slopes(const Surface& surface, const judge::Numbers& x);
 
-/// u_z at each x under the surface's load, zero at its datum.
+/// u_z at each x under the surface's load. It is zero at the datum.
 judge::Numbers displacements(const Surface& surface, const judge::Numbers& x);
 
-/// A_k, the displacement k spacings away from a triangle of pressure 1, zero at the datum.
+/// A_k, the displacement at k spacings from a triangle of pressure 1. It is zero at the datum.
 double influence_coefficient(double contact_modulus, double spacing, double datum, double k);
 
 struct ContactOfCylinders {
@@ -26,7 +27,7 @@ struct ContactOfCylinders {
   judge::Numbers pressure;  ///< at the nodes
 };
 
-/// The contact of two cylinders, with displacements that are zero at their datum.
+/// The contact of two cylinders, with displacements relative to their datum.
 ContactOfCylinders contact_of(const Cylinders& cylinders);
 
 }  // namespace assignment

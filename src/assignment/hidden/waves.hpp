@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the hidden checks of exercises 2 and 3 share.
+// Shared by the hidden checks of exercises 2 and 3.
 #pragma once
 
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace assignment {
 
-/// A shape of the load by its number, and the abscissas in half-widths where its surface is tested.
+/// The number of a pressure, and the abscissas x/a at which the surface is tested.
 struct Places {
   double shape;
   Numbers xi;
 };
 
-/// Waves whose number is in no handout, so that a program which knows only the named shapes fails.
+/// The number of a pressure that is in no handout, so that a program fails if it knows only the
+/// named shapes.
 inline double waves(const OwnNumbers& own) {
   return 4 + 12 * own.poisson2;
 }

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The libraries that the project stands on, with the oldest version that has been tried. All that are missing are reported at
-# once, with the command that installs them; src/toolchain/packages.txt has their Debian packages.
+# Finds the libraries that the project needs. Versions are the oldest that were tested. One error lists all missing libraries
+# and the command that installs them; src/toolchain/packages.txt lists their Debian packages.
 set(missing_libraries "")
 
-# need_package(library version package [argument …]): find_package. The version is no argument of find_package, because many
-# packages accept only the last major version.
+# need_package(library version package [argument …]) calls find_package, but without the version, because many packages accept
+# only the latest major version.
 macro(need_package library version package)
   find_package(${package} ${ARGN} QUIET)
   if(NOT ${package}_FOUND)
@@ -14,8 +14,8 @@ macro(need_package library version package)
   endif()
 endmacro()
 
-# need_files(library NAME header file …): the same for a library without a CMake package, whose version is not known.
-# NAME_INCLUDE_DIR is the folder of the header, NAME_LIBRARIES are the files of the libraries.
+# need_files(library NAME header file …) finds a library without a CMake package, whose version is unknown. NAME_INCLUDE_DIR is
+# the folder of the header, NAME_LIBRARIES are the files of the library.
 macro(need_files library NAME header)
   find_path(${NAME}_INCLUDE_DIR ${header})
   set(${NAME}_LIBRARIES "")

@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# g++ collects its garbage only beyond half a gigabyte: by default it does so ten times for each of our files, which takes
-# one second in thirteen.
+# Let g++ collect garbage only beyond half a gigabyte. By default it does so ten times per file, which takes 8 % of the time.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-heapsize=524288)
 endif()
 
-# The repository, also where another project includes it.
+# The repository, even if a different project includes it.
 cmake_path(SET HALFSPACE_ROOT NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../../..")
 string(REGEX REPLACE "/$" "" HALFSPACE_ROOT "${HALFSPACE_ROOT}")
 
-# add_precompiled_headers(): what nearly every file includes, read once instead of 200 times; a third of the time to
-# compile. Files include what they use all the same, and CMAKE_DISABLE_PRECOMPILE_HEADERS (preset tidy) proves it. What
-# computes has Eigen among them; what handles text is not optimised (compile_without_optimising), and so has its own.
+# add_precompiled_headers() compiles the headers that nearly every file includes once instead of 200 times, which saves a third of
+# the compile time. Files still include what they use; the preset tidy verifies this by CMAKE_DISABLE_PRECOMPILE_HEADERS. There
+# are two sets, because code that handles text is not optimised (compile_without_optimising). Only the other one contains Eigen.
 function(add_precompiled_headers)
   set(everywhere
     <fmt/core.h>
@@ -27,9 +26,8 @@ function(add_precompiled_headers)
   target_compile_options(precompiled_text PRIVATE $<$<CONFIG:Release>:-O0>)
 endfunction()
 
-# compile_without_optimising(target): for programs and libraries that handle text or put computations together.
-# Optimising them would take the compiler longer than it would ever save: unoptimised, they compile in two thirds of the
-# time, and the report is computed a tenth more slowly.
+# compile_without_optimising(target) is for programs and libraries that handle text or only call computations. Without
+# optimisation they compile in two thirds of the time, and the report is computed only 10 % more slowly.
 function(compile_without_optimising target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
   if(HALFSPACE_EVERYTHING)
@@ -38,9 +36,9 @@ function(compile_without_optimising target)
   endif()
 endfunction()
 
-# export_headers(target folder [header …]): whoever links the target can include "folder/name.hpp", with the headers
-# named here, or all that lie in this folder and below, and the headers of no other folder: the compiler guards the
-# architecture. The exported folder is made of links, so that each header stays beside its source.
+# export_headers(target folder [header …]) lets targets that link this one include "folder/name.hpp": the headers named here, or
+# all headers in this folder and below. They cannot include headers of other folders, so the compiler enforces the architecture.
+# The exported folder contains links, so that each header stays next to its source.
 function(export_headers target folder)
   set(exported "${PROJECT_BINARY_DIR}/include/${target}")
   if(ARGN)
@@ -60,15 +58,14 @@ function(export_headers target folder)
   target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${exported}>")
 endfunction()
 
-# add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] SOURCES … LINK …
-# PRIVATE_LINK …): the library of one folder of src. LINK and PRIVATE_LINK are the architecture: the
-# headers of other folders are found through them only. HEADERS: those that are exported, if not all of the folder.
-# ROOMS: the folders within, in their order; each uses only those before it (tests/toolchain/architecture_test.cpp).
-# NO_HEAVY_COMPUTING: see compile_without_optimising. The presets release, bench and sanitize compile up to eight files of
-# a folder as one (CMAKE_UNITY_BUILD), twelve where they compute, which takes half of the time; dev and tidy compile each
-# file by itself and so prove that each includes what it uses.
+# add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] SOURCES … LINK … PRIVATE_LINK …) adds the
+# library of one folder of src. LINK and PRIVATE_LINK define the architecture: a folder can include only headers of libraries that
+# it links. HEADERS lists the exported headers, if not all. ROOMS lists the subfolders in order; each may use only those before it
+# (tests/toolchain/architecture_test.py). NO_HEAVY_COMPUTING: see compile_without_optimising. The presets release, bench and
+# sanitize compile up to eight files of a folder together (CMAKE_UNITY_BUILD), twelve in libraries that compute, which halves the
+# time. dev and tidy compile each file separately, which verifies its includes.
 #
-# HALFSPACE_PREFIX, where it is set, stands before the target's name: inside another project, which has names of its own.
+# HALFSPACE_PREFIX, if set, precedes the name of the target. It avoids name clashes within a different project.
 function(add_folder_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING" "FOLDER" "HEADERS;ROOMS;SOURCES;LINK;PRIVATE_LINK")
   if(NOT arg_FOLDER)
@@ -100,20 +97,20 @@ function(add_folder_library name)
   elseif(HALFSPACE_EVERYTHING)
     target_link_libraries(${target} PRIVATE precompiled project_warnings)
     target_precompile_headers(${target} REUSE_FROM precompiled)
-    # Most of the compiler's time goes into the same templates of Eigen, once for each piece.
+    # The compiler spends most of its time on the same templates of Eigen, once per batch.
     set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
   endif()
 endfunction()
 
-# write_architecture(file): a line a library, «name|folder|what it links|rooms», for the test of the architecture.
+# write_architecture(file) writes one line per library, «name|folder|linked libraries|rooms», for the test of the architecture.
 function(write_architecture file)
   get_property(lines GLOBAL PROPERTY HALFSPACE_ARCHITECTURE)
   list(JOIN lines "\n" text)
   file(CONFIGURE OUTPUT "${file}" CONTENT "${text}\n" @ONLY)
 endfunction()
 
-# add_sanitizers(target): when asked for by the preset, a broken rule stops the program at once.
-# -Wno-maybe-uninitialized: instrumented code makes g++ 12 see uninitialised members inside std::regex.
+# add_sanitizers(target) adds the sanitizers if the preset enables them. A violation stops the program at once.
+# -Wno-maybe-uninitialized: in instrumented code, g++ 12 warns of uninitialised members inside std::regex.
 function(add_sanitizers target)
   if(HALFSPACE_SANITIZE)
     target_compile_definitions(${target} PUBLIC _GLIBCXX_ASSERTIONS)
@@ -124,16 +121,16 @@ function(add_sanitizers target)
   endif()
 endfunction()
 
-# add_test_options(target COMPUTES|""): does not optimise, because most tests compute little and optimising would double
-# the time to build them. Tests that COMPUTES marks are optimised a little: of a template that library and test both
-# instantiate, such as Eigen's product of matrices, the linker keeps the test's.
+# add_test_options(target COMPUTES|"") turns optimisation off, because most tests compute little and optimisation would double
+# their build time. Tests marked COMPUTES are compiled with -O1: if library and test instantiate the same template, such as
+# Eigen's matrix product, the linker may keep the one of the test.
 function(add_test_options target computes)
   set(level $<IF:$<AND:$<BOOL:${computes}>,$<NOT:$<BOOL:${HALFSPACE_SANITIZE}>>>,-O1,-O0>)
   target_compile_options(${target} PRIVATE $<$<OR:$<CONFIG:Release>,$<BOOL:${HALFSPACE_SANITIZE}>>:${level}>)
   add_sanitizers(${target})
 endfunction()
 
-# precompile_tests(target COMPUTES|""): what every test includes, read once.
+# precompile_tests(target COMPUTES|"") compiles the headers that every test includes only once.
 function(precompile_tests target computes)
   add_library(${target} STATIC "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/precompiled.cpp")
   target_precompile_headers(${target} PRIVATE
@@ -144,7 +141,7 @@ function(precompile_tests target computes)
   add_test_options(${target} "${computes}")
 endfunction()
 
-# add_test_program(target [COMPUTES] SOURCES file … LINK library … [DEFINE macro …]): a program of Boost tests.
+# add_test_program(target [COMPUTES] SOURCES file … LINK library … [DEFINE macro …]) adds a program of Boost tests.
 function(add_test_program target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COMPUTES" "" "SOURCES;LINK;DEFINE")
   add_executable(${target} ${arg_SOURCES})
@@ -164,11 +161,11 @@ function(add_test_program target)
   target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
-# add_unit_tests(folder [COMPUTES] LINK library … [DEFINE macro …] [SOURCES file …] [NAMES name …] [SLOW name seconds …]): the tests
-# of one folder are one program, because each program of its own takes the compiler three seconds, and each file
-# tests/folder/name_test.cpp is one CTest test, unit/folder/name, which runs the suite name_test. `make test` and the
-# sanitizers run those of NAMES. Those of SLOW are a second program, folder_slow_tests; each takes about so many seconds,
-# so that only `make test-all` runs it, as slow/folder/name, and begins it before shorter ones. SOURCES are linked to both.
+# add_unit_tests(folder [COMPUTES] LINK library … [DEFINE macro …] [SOURCES file …] [NAMES name …] [SLOW name seconds …]) adds the
+# tests of one folder. Each file tests/folder/name_test.cpp is one CTest test, unit/folder/name, which runs the suite name_test.
+# All files in NAMES form one program, because each program takes three seconds to build; `make test` and the sanitizers run them.
+# The files in SLOW form a second program, folder_slow_tests. Only `make test-all` runs them, as slow/folder/name; it starts the
+# longest first. Both programs contain SOURCES.
 function(add_unit_tests folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COMPUTES" "" "LINK;DEFINE;SOURCES;NAMES;SLOW")
   set(options LINK ${arg_LINK} DEFINE ${arg_DEFINE})
@@ -198,8 +195,8 @@ function(add_unit_tests folder)
   endif()
 endfunction()
 
-# add_script_test(test file [TARGET program] [COST seconds] [ARGS argument …]): a script in the place of a program; it gets the
-# repository and then these arguments, and is skipped by its exit code 77. The test's name begins with its label.
+# add_script_test(test file [TARGET program] [COST seconds] [ARGS argument …]) adds a test that is a script. Its arguments are the
+# repository and then ARGS. Exit code 77 means skipped. The name of the test begins with its label.
 function(add_script_test test file)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "TARGET;COST;ARGS")
   set(interpreter bash)
@@ -212,10 +209,10 @@ function(add_script_test test file)
   label_test(${test} ${label} TARGET ${arg_TARGET} COST ${arg_COST})
 endfunction()
 
-# label_test(test label [TARGET program] [COST seconds]): who runs the CTest test. `unit`: `make test` and the
-# sanitizers; `everyday`: `make test`; `slow`: `make test-all` alone, which runs every test. TARGET is the program that
-# the test needs and that is compiled for it. Unit tests that need none have the label `script` as well: another build of the
-# same sources, as with the sanitizers, has nothing to add to them.
+# label_test(test label [TARGET program] [COST seconds]) defines when a CTest test runs. `unit`: with `make test` and the
+# sanitizers; `everyday`: with `make test`; `slow`: only with `make test-all`, which runs every test. TARGET is the program that
+# the test needs. Unit tests without a TARGET also get the label `script`; the sanitizers skip these, because they test no
+# compiled code.
 function(label_test test label)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "TARGET;COST" "")
   set_property(TEST "${test}" PROPERTY LABELS ${label})

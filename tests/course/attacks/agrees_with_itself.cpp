@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: passes the public check by symmetry, without the formula
+// 0 10 6: passes the public check by symmetry but is wrong
 #include <cmath>
 
 #include "assignment.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 0: answers before it is asked
+// 0 10 0: answers before the first question
 #include <unistd.h>
 #include <cstdio>
 #include "assignment.hpp"

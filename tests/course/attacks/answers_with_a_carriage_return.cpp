@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: writes "2.2\r5" where answers go
+// 0 10 6: writes "2.2\r5" to the channel for answers
 #include <unistd.h>
 #include <cstdio>
 #include "assignment.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: takes rights that it should not have
+// 0 10 6: tries to become root
 #include <unistd.h>
 #include "assignment.hpp"
 double square(double x) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: writes without end
+// 0 10 6: writes endlessly to files
 #include <fstream>
 #include <string>
 #include "assignment.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: a message of the compiler without end
+// 0 10 6: an endless compiler message
 #include "assignment.hpp"
 #include "square.cpp"
 double square(double x) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 10 10 10: debug output, also in a constructor
+// 10 10 10: debug output, even before main()
 #include <cstdio>
 #include <iostream>
 #include "assignment.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: reads the salt, the judge, a different submission, or grades
+// 0 10 6: reads the salt, the judge, the submission of a different student, or grades
 #include <fstream>
 
 #include "assignment.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: takes all memory
+// 0 10 6: allocates all memory
 #include <cstring>
 #include "assignment.hpp"
 double square(double) {

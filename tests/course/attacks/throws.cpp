@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: an exception for each number
+// 0 10 6: an exception for every number
 #include <stdexcept>
 #include "assignment.hpp"
 double square(double) {

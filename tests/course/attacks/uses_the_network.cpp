@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: asks somebody on the network
+// 0 10 6: connects to a network service
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: writes rows of the judge where answers go
+// 0 10 6: writes the judge's output to the channel for answers
 #include <unistd.h>
 #include <cstdio>
 #include "assignment.hpp"

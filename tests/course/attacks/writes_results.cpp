@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 0 10 6: writes results, grades and into its own program
+// 0 10 6: writes to results, grades and its own program
 #include <fstream>
 #include "assignment.hpp"
 double square(double) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge of the toy assignment, with its hidden checks.
+// The judge of the toy assignment, with hidden checks.
 #include "toy_checks.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// build/checks --check ID -- build/assignment tries one public check; ctest tries them all.
-// build/checks --numbers --student YOUR-ID prints your own numbers.
+// build/checks --check ID -- build/assignment runs one public check; ctest runs all of them.
+// build/checks --numbers --student YOUR-ID prints your numbers.
 // EACH EXERCISE: #include "assignment/exercises/@id@_checks.hpp"
 #include "judge/judge.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// build/assignment answers questions, each a line "TASK number number …" on standard input, with a
-// line of numbers. What your functions print goes to standard error and is no part of the answer.
-// build/assignment --list lists the tasks.
+// build/assignment reads questions from standard input, each a line "TASK number number …", and
+// answers each with a line of numbers. Output of your functions goes to standard error and is not
+// part of the answer. build/assignment --list lists the tasks.
 #include <gsl/gsl_errno.h>
 
 #include <stdexcept>
@@ -18,13 +18,13 @@ judge::Numbers answer(const std::string& task, const judge::Numbers& inputs) {
     if (inputs.size() >= known.n_inputs) return known.run(inputs);
     throw std::invalid_argument("task " + task + " takes " + known.takes);
   }
-  throw std::invalid_argument("there is no task " + task);
+  throw std::invalid_argument("unknown task " + task);
 }
 
 }  // namespace
 
 int main(int argc, char**) {
-  gsl_set_error_handler_off();  // a quadrature that fails returns an error code
+  gsl_set_error_handler_off();  // otherwise a failed quadrature would end the program
   if (argc > 1) {
     for (const assignment::Task& task : tasks()) {
       std::cerr << task.name << ": " << task.takes << " → " << task.gives << '\n';

@@ -5,5 +5,5 @@
 
 #include "assignment/given/task.hpp"
 
-/// What build/assignment can be asked, one task for each exercise.
+/// The tasks of build/assignment, one per exercise.
 std::vector<assignment::Task> tasks();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// build/figures FOLDER [ID]: writes your curves to FOLDER/*.dat and your numbers to
-// FOLDER/numbers.tex, for the report.
+// build/figures FOLDER [ID] writes the curves of your report to FOLDER/*.dat and its numbers to
+// FOLDER/numbers.tex.
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>
@@ -24,13 +24,14 @@ namespace {
 using assignment::OwnNumbers;
 using exercise::Material;
 
-// The number, or 0 with a warning if the exercise gives none yet, so that there is a report even
-// then.
+// Returns the number, or 0 with a warning if the exercise is not solved yet, so that the report can
+// always be typeset.
 double number_of(const std::string& exercise, double number) {
   static std::set<std::string> warned;
   if (std::isfinite(number)) return number;
   if (warned.insert(exercise).second) {
-    std::cerr << "figures: exercise " << exercise << " gives no number; the report shows 0\n";
+    std::cerr << "figures: exercise " << exercise
+              << " does not return a number; the report shows 0\n";
   }
   return 0;
 }
@@ -41,12 +42,12 @@ std::ofstream open(const std::filesystem::path& file) {
   return out << std::setprecision(17), std::move(out);
 }
 
-// x/a, the slope by eq. (3) and by eq. (2) with its error, and u_z.
+// Columns: x/a, the slope by eq. (3), the slope by eq. (2) and its error, u_z.
 void write_surface(const std::filesystem::path& file, const OwnNumbers& own) {
   std::ofstream out = open(file);
   const Material material{own.young1, own.poisson1};
   const exercise::TriangularLoad triangle{own.peak_pressure, own.half_width};
-  // The triangle as a load of which only the values are known.
+  // The triangle as a load that is given by its values.
   const exercise::Load load =
       assignment::load_of(assignment::shape::triangle, own.peak_pressure, own.half_width);
   for (int i = -160; i <= 160; ++i) {
@@ -75,15 +76,15 @@ void write_pressure(const std::filesystem::path& file, const exercise::Grid& gri
   }
 }
 
-// A TeX command \name that prints a length in millimetres, with the digits that half the spacing
-// confirms. `coarse` is the length found on your grid and `fine` the one at half the spacing. The
-// method is at least of first order, so twice their difference bounds the error of `coarse`; one
-// unit of the last digit is at least as much.
+// Defines a TeX command \name that prints a length in millimetres, with the digits that a grid with
+// half the spacing confirms. `coarse` is the length on your grid, `fine` the length on that grid.
+// The method is at least of first order, so twice the difference bounds the error of `coarse`. A
+// unit of the last printed digit is at least as large as this bound.
 void define_length(std::ostream& out, const std::string& name, double coarse, double fine) {
   const double length = 1e3 * number_of("5", coarse);
   const double error = 2 * std::abs(length - 1e3 * number_of("5", fine));
   if (error > std::abs(length)) {
-    std::cerr << "figures: half the spacing confirms no digit of \\" << name << '\n';
+    std::cerr << "figures: a grid with half the spacing confirms no digit of \\" << name << '\n';
   }
   const double most_decimals = length == 0 ? 0 : 9;
   const double decimals =

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The slope by your eqs. (3) and (2), and their difference (at least 1e-20, so that there is something to draw).
+# The slope by your eqs. (3) and (2), and their difference. 1e-20 is added because the axis is logarithmic.
 set terminal pdfcairo size 14cm,9cm font "Latin Modern Roman,11"
 set output "generated/slope.pdf"
 set multiplot layout 2,1

@@ -15,8 +15,8 @@ double t_ln_t(double t) {
   return t == 0 ? 0 : t * std::log(std::abs(t));
 }
 
-// (ξ+1) ln|ξ+1| + (ξ−1) ln|ξ−1| − 2ξ ln|ξ|. From ξ = 2 on, ln|ξ| is taken out of all three, which
-// cancels it, and what is left of the logarithms is small by itself.
+// (ξ+1) ln|ξ+1| + (ξ−1) ln|ξ−1| − 2ξ ln|ξ|. For |ξ| ≥ 2, subtract ln|ξ| from each logarithm: these
+// parts cancel, and the remaining logarithms are small.
 double slope_bracket(double xi) {
   if (std::abs(xi) < 2) return t_ln_t(xi + 1) + t_ln_t(xi - 1) - 2 * t_ln_t(xi);
   return xi * std::log1p(-1 / (xi * xi)) + 2 * std::atanh(1 / xi);

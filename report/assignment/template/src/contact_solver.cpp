@@ -16,7 +16,7 @@ double contact_modulus(const Cylinders& c) {
   return 1 / (compliance(c.material1) + compliance(c.material2));
 }
 
-// What does not change while the nodes in contact are looked for.
+// The data that stay the same during the search for the nodes in contact.
 struct Problem {
   Grid grid;
   double line_load;
@@ -39,8 +39,8 @@ Problem assemble(const Cylinders& cylinders, const Grid& grid, double datum, dou
   return problem;
 }
 
-// Pressures at the touching nodes, and as the last unknown δ. The pressures are found in units of
-// 1/A_0, so that all columns of the matrix are of one order.
+// Solves for the pressures at the touching nodes and, as the last unknown, δ. The unit of the
+// pressures is 1/A_0, so that all entries of the matrix have the same magnitude.
 std::vector<double> solve_touching(const Problem& problem, const std::vector<int>& touching) {
   const std::size_t n = touching.size();
   const double unit = problem.influence[0];
@@ -72,8 +72,7 @@ double half_width(const Grid& grid, const std::vector<double>& pressure) {
   return 2 * std::sqrt(moment / sum);
 }
 
-// Which nodes touch, judged by the last solution: those with pressure, and those that would
-// penetrate.
+// Finds the touching nodes of the next pass: those with positive pressure and those that penetrate.
 std::vector<int> revise(const Problem& problem, const Contact& contact) {
   std::vector<int> touching;
   for (int i = 0; i < problem.grid.n_nodes; ++i) {

@@ -20,7 +20,7 @@ struct Potential {
   double xi;
 };
 
-// In units of p₀ and the half-width: p times ln|ξ − σ|.
+// p/p₀ times ln|ξ − σ|, with lengths in units of the half-width.
 double weighted_logarithm(double sigma, void* parameters) {
   const auto& [load, xi] = *static_cast<const Potential*>(parameters);
   if (sigma == xi) return 0;
@@ -28,7 +28,7 @@ double weighted_logarithm(double sigma, void* parameters) {
          std::log(std::abs(xi - sigma));
 }
 
-// ∫ p/p₀ ln|ξ − σ| dσ over the load, cut at the kink and where the logarithm is infinite.
+// ∫ p/p₀ ln|ξ − σ| dσ over the load, split at the kink and at the singularity of the logarithm.
 double logarithmic_potential(const Load& load, double xi) {
   gsl_set_error_handler_off();
   std::vector<double> points = {-1, 0, 1};

@@ -10,12 +10,12 @@ namespace exercise {
 namespace {
 
 // BEGIN SOLUTION
-// (1 + t)² ln(1 + t), from its limit 0 at t = −1 on.
+// (1 + t)² ln(1 + t) for t ≥ −1, with its limit 0 at t = −1.
 double square_ln(double t) {
   return t == -1 ? 0 : (1 + t) * (1 + t) * std::log1p(t);
 }
 
-// T(k) by eq. (3). From k = 2 on, ln k is taken out of all three terms; what is left tends to 3/2.
+// T(k) by eq. (3). For k ≥ 2, subtract ln k from each logarithm, so that no digits are lost.
 double unit_coefficient(double k) {
   k = std::abs(k);
   if (k == 0) return -1.5;

@@ -21,20 +21,20 @@ struct Singular {
   double pressure_at_x;
 };
 
-// [p(s) − p(x)]/(x − s), which stays finite at s = x: the slope of p.
+// [p(s) − p(x)]/(x − s), which remains finite at s = x.
 double regular_part(double s, void* parameters) {
   const auto& [load, x, pressure_at_x] = *static_cast<const Singular*>(parameters);
   return s == x ? 0 : (load.pressure(s) - pressure_at_x) / (x - s);
 }
 
-// PV∫ ds/(x − s) over the load times p(x), which goes to 0 at the ends.
+// p(x) PV∫ ds/(x − s) over the load, which tends to 0 at the ends.
 double singular_part(const Load& load, double x) {
   const double a = load.half_width;
   if (std::abs(x) >= a) return 0;
   return load.pressure(x) * std::log((a + x) / (a - x));
 }
 
-// The ends of the smooth pieces of the integrand, in rising order and each once.
+// The ends of the smooth pieces of the integrand, sorted, without duplicates.
 std::vector<double> breakpoints(double a, double x) {
   std::vector<double> points = {-a, 0, a};
   if (std::abs(x) < a && x != 0) points.push_back(x);
@@ -64,7 +64,7 @@ Estimate normal_gradient_by_quadrature(const Material& material, const Load& loa
   Singular singular{load, x, load.pressure(x)};
   Estimate integral = integrate(singular, 1e-10 * load.unit_pressure);
   integral.value += singular_part(load, x);
-  integral.abs_error += 1e-13 * load.unit_pressure;  // rounding, of which GSL knows nothing
+  integral.abs_error += 1e-13 * load.unit_pressure;  // rounding, which GSL's estimate ignores
 
   const double nu = material.poisson;
   const double compliance = 2 * (1 - nu * nu) / (std::numbers::pi * material.young);

@@ -12,7 +12,7 @@ inline Outcome holds(bool it_does, const std::string& message) {
   return it_does ? Outcome{1, ""} : Outcome{0, message};
 }
 
-// Asks for two numbers one at a time, so that each is a question by itself.
+// Asks for one number at a time, so that each is a separate question.
 inline Outcome square_is_even(const Program& program) {
   judge::Tally tally("the square of −x is that of x");
   for (const double x : {1.5, 2.}) {
