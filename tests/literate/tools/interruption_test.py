@@ -65,7 +65,8 @@ class Interruptions(PaperTest):
     def stop_when_reached(self, kill) -> None:
         """Starts a build and stops it while the wrapped tool runs."""
         build = subprocess.Popen(["ninja", "-C", str(self.paper.build), "small"], cwd=self.paper.folder, env=self.paper.environment,
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
+                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # a shell ignores it in the background
         while not self.marker.exists():
             self.assertIsNone(build.poll(), "the build ended before the tool was reached")
             time.sleep(0.01)
