@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The pressures of Contact.m from its printed state to its mended one, a panel a state: on the shaded
-# pressure of Hertz under the right load, and dashed the Hertz of the program's own lines. A pressure
-# that leaves the frame has its greatest value written beside it.
-# outside: the greatest value of what leaves the frame is written beside it
+# The pressures of Contact.m from its printed state to its mended one, one panel per state. Shaded:
+# the pressure of Hertz under the correct load; dashed: Hertz from the program's own lines. A
+# pressure that leaves the frame is labelled with its greatest value.
+# outside: a curve that leaves the frame is labelled with its greatest value
 top = 2.5
 across = 3
 n = int(n_panels)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The pressure between two cylinders, over p₀ and against x/a of Hertz: above it, and below the magnitude
-# of its difference from Hertz at the nodes.
+# p/p₀ between two cylinders over x/a of Hertz; below, the magnitude of its difference from Hertz at
+# the nodes.
 set xrange [-1.2:1.2]
 set xtics 0.4
 set multiplot

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fig. 4 of the paper: u_z by eq. (3), and the columns of Fig. 5 where the case has them.
+# Fig. 4 of the paper: u_z by eq. (3), with the columns of Fig. 5 if the case has them.
 stats curve using (column("x")) nooutput
 x_unit = unit_of(STATS_max, unit)
 x_factor = factor_of(STATS_max)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Left u_z of the half-space and of the block under the stated and the inferred load, and as printed;
-# right the difference of half-space and block, taken apart into the parts of datum and load.
+# Left: u_z of the half-space and of the block under the stated and the inferred load, and as
+# printed. Right: the difference of half-space and block, split into the contributions of datum and
+# load.
 stats curves using (column("x")) nooutput
 x_unit = unit_of(STATS_max, unit)
 x_factor = factor_of(STATS_max)

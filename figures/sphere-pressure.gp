@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The pyramid over a lattice of equilateral triangles with one of its neighbours, drawn from above; the pressure between
-# two spheres over p₀ against x/a of Hertz, along the middle row of nodes; and how far it is from Hertz at the nodes in
-# contact, against r/a.
+# Left: a pyramid on the square lattice with one of its neighbours, in perspective. Middle: p/p₀
+# between two spheres over x/a of Hertz, along the middle row of nodes. Right: its difference from
+# Hertz at the nodes in contact, over r/a.
 across(x, y) = 0.94 * x + 0.34 * y
 up(x, y, z) = 0.42 * y - 0.16 * x + 0.9 * z
 
@@ -40,7 +40,7 @@ set ylabel '$p/p_0$' offset 1,0
 set label 1 'Hertz (line),' at 0,0.35 center
 set label 2 'pyramids (circles)' at 0,0.2 center
 plot hertz using "x":"pressure" with lines ls 1 title 'Hertz', \
-     row using "x":"pressure" every 2 with points ls 11 title 'pyramids' # outside: every second one can be told apart
+     row using "x":"pressure" every 2 with points ls 11 title 'pyramids' # outside: only every second one is legible
 unset label 1
 unset label 2
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What all figures share; it is read before each script. The colours stand here and nowhere else.
+# The common style of all figures, read before each script. All colours are defined here.
 
-# From dark to light, so that they differ in grey as well, and for readers without red or green cones.
+# From dark to light, so that they remain distinct in grey and for colour-blind readers.
 ink = '#1b1b3a'
 rust = '#c1440e'
 blue = '#2a84a6'
@@ -25,7 +25,7 @@ set style arrow 1 heads filled size graph 0.012,18 lc rgb ink lw 1
 set style arrow 2 head filled size graph 0.012,18 lc rgb ink lw 1
 set style arrow 3 nohead lc rgb grey lw 0.8 dt (4,3)
 
-# Axes left and below only, with tics outside, and a faint grid.
+# Axes only on the left and below, with tics outside, and a faint grid.
 set border 3 lw 0.8
 set tics nomirror out scale 0.6
 set grid lw 0.4 lc rgb '#dddddd' dt solid
@@ -35,17 +35,17 @@ set key spacing 1.25 samplen 2.6 width -2
 schematic = "unset border; unset tics; unset grid; unset key; \
   set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0"
 
-# An axis whose numbers reach `largest` is drawn in multiples of a power of ten: none from 0.01 to
-# 1000, else one with an exponent that is a multiple of three. Data are multiplied by factor_of, and
-# unit_of is the unit that this makes, such as $10^{-6}$\,in.
+# An axis whose numbers reach `largest` is scaled by a power of ten: by 1 from 0.01 to 1000, else by
+# an exponent that is a multiple of three. Multiply data by factor_of; unit_of is the resulting
+# unit, such as $10^{-6}$\,in.
 exponent_of(largest) = largest == 0 || (largest >= 0.01 && largest < 1000) ? 0 \
   : 3 * int(floor(log10(largest) / 3))
 factor_of(largest) = 10.0**(-exponent_of(largest))
 unit_of(largest, unit) = exponent_of(largest) == 0 ? unit \
   : sprintf("$10^{%d}$\\,%s", exponent_of(largest), unit)
 
-# The distance of ticks, 1, 2 or 5 times a power of ten, that puts two to four of them on an axis
-# from 0 to `largest`.
+# The tick spacing, 1, 2 or 5 times a power of ten, that puts two to four ticks on an axis from 0 to
+# `largest`.
 decade_of(largest) = 10.0**floor(log10(largest))
 tick_step(largest) = largest == 0 ? 1 \
   : largest < 2 * decade_of(largest) ? decade_of(largest) / 2 \

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# ∂u_z/∂x of three loads with the same resultant, in units of K/a: which element makes a finite slope.
+# ∂u_z/∂x under three loads of equal resultant, in units of K/a. Only the triangle gives a finite
+# slope.
 # outside: a force has no finite gradient
 set xlabel '$x/a$'
 set ylabel '$(\partial u_z/\partial x)\,/\,(K/a)$'

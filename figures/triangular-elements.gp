@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fig. 2 of the paper: pressures p_j at nodes a distance c apart, over p₀ and against x/c, as a triangle
-# for each node, and their sum, which is linear between the nodes.
+# Fig. 2 of the paper: one triangle p_j/p₀ per node over x/c, with the nodes c apart, and their sum,
+# which is linear between the nodes.
 eval schematic
 stats nodes using (column("x")) nooutput
 first = STATS_min

@@ -31,7 +31,7 @@ inline std::vector<CsvRow> csv_rows_of(const std::string& text) {
   return rows;
 }
 
-/// The same of a file.
+/// The same for a file.
 inline std::vector<CsvRow> csv_rows(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   return csv_rows_of({std::istreambuf_iterator<char>(stream), {}});

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-/// The message of the error of type `Error` that a call throws; says so if it throws none.
+/// The message of the error of type `Error` that a call throws, or "(no error)".
 template <typename Error, typename Call>
 std::string message_of(Call&& call) {
   try {

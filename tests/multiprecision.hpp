@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hundred-digit arithmetic for reference values: the paper's formulas as they stand, with no
-// rearrangement, so that a test does not repeat the mistake it looks for.
+// Hundred-digit arithmetic for reference values: the paper's formulas without rearrangement, so
+// that a test does not repeat the mistake that it is to find.
 #pragma once
 
 #include <mpreal.h>

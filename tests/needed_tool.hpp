@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a suite of tests does whose tool a system may lack: CTest counts it as skipped.
+// Skips a suite of tests whose tool is not installed; CTest counts it as skipped.
 #pragma once
 
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include "system/error.hpp"
 #include "system/tool.hpp"
 
-/// Ends the program as skipped, with one line that says what was not tested and why.
+/// Ends the program as skipped, with one line that names the untested feature and the reason.
 [[noreturn]] inline void skip_tests(const std::string& untested, const std::string& why) {
   constexpr int skipped = 77;
   std::printf("skipped: %s: %s\n", untested.c_str(), why.c_str());
@@ -17,7 +17,7 @@
   std::_Exit(skipped);
 }
 
-/// Does so if there is no such tool.
+/// Skips the tests if the tool is not installed.
 inline void need_tool(const std::string& tool, const std::string& untested) {
   try {
     sys::find_tool(tool);

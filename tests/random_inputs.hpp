@@ -18,7 +18,7 @@ class RandomInputs {
     return low + (high - low) * fraction;
   }
   double log_uniform(double low, double high) { return low * std::pow(high / low, uniform(0, 1)); }
-  /// Of a normal distribution with mean 0 and standard deviation 1, by Box and Muller.
+  /// A standard normal number, by the Box–Muller method.
   double normal() {
     return std::sqrt(-2 * std::log(1 - uniform(0, 1))) *
            std::cos(2 * std::numbers::pi * uniform(0, 1));

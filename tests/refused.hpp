@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a room refuses, as a table.
+// Tables of invalid inputs.
 #pragma once
 
 #include <boost/test/unit_test.hpp>

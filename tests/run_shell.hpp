@@ -14,8 +14,8 @@ struct ShellResult {
   std::string output;  ///< standard output and standard error
 };
 
-/// Runs a script of the shell, whose arguments are $1, $2, …, without any input. The variables are
-/// added to this program's own.
+/// Runs a shell script with the arguments $1, $2, … and no input. The variables are added to this
+/// program's environment.
 inline ShellResult run_shell(const std::string& script, const std::vector<std::string>& arguments,
                              const std::filesystem::path& folder = ".",
                              const std::map<std::string, std::string>& variables = {}) {

@@ -27,9 +27,9 @@ struct BlockOptions {
   Flag width{command, "--width", "LENGTH", "Block", "Width; the load is in the middle of the top"};
   Flag height{command, "--height", "LENGTH", "Block", "Height"};
   Flag sides{command, "--sides", "clamped|roller|free", "Block",
-             "How left and right are held; the bottom is clamped [clamped, or the case's]"};
+             "Supports on the left and right; the bottom is clamped [clamped, or the case's]"};
   Flag x{command, "--x", "LENGTH", "Block",
-         "Points of the top, whose displacements are measure1, measure2 and so on [the case's]"};
+         "Points on the top whose displacements are measure1, measure2, ... [the case's]"};
   Flag order{command, "--order", "COUNT", "Solution",
              "Polynomial order of the elements, 4 to 10 [7, or the case's]"};
   Flag refine{command, "--refine", "COUNT", "Solution",
@@ -43,7 +43,7 @@ std::string unit_of(const std::string& measure, const config::UnitSystem& units)
   return measure == "strain_energy" ? units.force : units.stress;
 }
 
-// The value with as many digits as its error leaves.
+// The value with as many digits as its error supports.
 std::string earned(const numerics::Estimate& estimate) {
   constexpr int most = 10;
   const int digits = earned_digits(estimate.abs_error / std::abs(estimate.value), most);
@@ -71,14 +71,14 @@ void add_measures(Result& result, const std::vector<block::MeasureEstimate>& mea
   result.table = {names, values, errors, of_units};
 }
 
-// The discs in which stresses have no limit, and which their maxima leave out.
+// Lists the discs that the maxima exclude, because stresses have no limit there.
 void add_left_out(Result& result, const std::vector<block::Disc>& discs, const std::string& unit) {
   result.details["left_out"] = Json::array();
   for (const block::Disc& disc : discs) {
     result.details["left_out"].push_back(
         {{"x", disc.x}, {"y", -disc.z}, {"radius", disc.radius}, {"unit", unit}});
     result.notes.push_back(
-        fmt::format("stresses leave out {:.3g} {} about ({:.6g}, {:.6g}), where they have no limit",
+        fmt::format("stresses exclude {:.3g} {} about ({:.6g}, {:.6g}), where they have no limit",
                     disc.radius, unit, disc.x, 0 - disc.z));
   }
 }
@@ -103,7 +103,8 @@ ExitCode run(const BlockOptions& options) {
             {options.height, units.length, size_of_case(&block::Rectangle::height)}});
   if (sizes[0] < 2 * load.reach()) {
     throw sys::InputError(fmt::format("--width = {}: must be at least {} {}, the width of the load",
-                                      rounded(sizes[0]), rounded(2 * load.reach()), units.length));
+                                      options.width.text_or(rounded(sizes[0]) + " " + units.length),
+                                      rounded(2 * load.reach()), units.length));
   }
   const block::Rectangle rectangle(sizes[0], sizes[1]);
   const Support sides = options.sides.choice_or(
@@ -146,15 +147,15 @@ void add_block_command(CLI::App& program, ExitCode& exit_code) {
   const CommandText text{
       "block",
       R"(A finite block under a strip load or a triangular load, by finite elements in plane strain.
-Displacements, strain energy and the greatest stresses have the names of Ruggiero's Appendix 2, and
-an error each.)",
+      Displacements, strain energy and the greatest stresses are named as in Ruggiero's Appendix 2, each
+      with its error.)",
       R"(  A steel block of 50 by 25 mm on a rigid base, 100 MPa on |x| <= 1 mm:
     halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \
       --half-width 1 --sides free
-  The same on rollers, with displacements at points of the top, drawn below:
+  The same on rollers, with displacements at points on the top, plotted below:
     halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \
       --half-width 1 --sides roller --x 0:10:1 --plot -
-  The block of a case file, for programs:
+  The block of a case file, as JSON:
     halfspace block --case report/ruggiero2001.toml --format json
 )"};
   add_command<BlockOptions>(program, text, exit_code, run);

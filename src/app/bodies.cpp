@@ -55,7 +55,7 @@ std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::strin
   if (flag.text() == "plane") return line_contact::Radius::of_plane();
   const auto length = flag.quantity(unit);
   if (!length) return std::nullopt;
-  if (*length == 0) flag.refuse("must be other than 0; 'plane' is a plane");
+  if (*length == 0) flag.refuse("must not be 0; write 'plane' for a plane");
   return line_contact::Radius::of_cylinder("radius", *length);
 }
 
@@ -64,7 +64,7 @@ std::vector<std::string> half_space_warnings(double half_width, double least_rad
   if (!(least_radius > 0 && half_width > small * least_radius)) return {};
   return {fmt::format(
       "the contact's half-width is {:.2g} of the least radius; half-spaces represent the bodies "
-      "well if it is less than {}",
+      "well below {}",
       half_width / least_radius, small)};
 }
 

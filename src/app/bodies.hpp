@@ -20,16 +20,16 @@ using elasticity::Material;
 /// The flags --young and --poisson, of one body or of both.
 struct MaterialFlags {
   CLI::App& command;
-  std::string number = "";           ///< of the body, behind the flags' names
-  std::string which = " [210 GPa]";  ///< body it is, in the help
-  std::string whose = " [0.3]";
+  std::string number = "";           ///< number of the body, appended to the flags' names
+  std::string which = " [210 GPa]";  ///< ends the help of --young: the body and the default
+  std::string whose = " [0.3]";      ///< the same for --poisson
   Flag young{command, "--young" + number, "STRESS", "Bodies", "Young's modulus" + which};
   Flag poisson{command, "--poisson" + number, "NUMBER", "Bodies", "Poisson's ratio" + whose};
 };
 
-/// The material of a body: each number from the first of the flags that was given, or from the
-/// case, or that of steel, which is added to `assumed`. Throws sys::InputError for one out of
-/// range.
+/// The material of a body. Each number comes from the first of the flags that was given, else from
+/// the case, else from steel, which is then added to `assumed`. Throws sys::InputError for a number
+/// out of range.
 Material material_of(const std::vector<const MaterialFlags*>& flags,
                      const std::optional<Material>& from_case, const std::string& unit,
                      std::vector<std::string>& assumed);
@@ -46,18 +46,18 @@ struct PairOfMaterialFlags {
                                      std::vector<std::string>& assumed) const;
 };
 
-/// A line that names what was assumed; none if nothing was.
+/// A line that lists the assumptions; empty if there are none.
 std::vector<std::string> note_of(const std::vector<std::string>& assumed);
 
-/// The radius that a flag gives: a length other than 0, negative for a hollow, or "plane".
+/// The radius from a flag: a length other than 0, negative for a hollow, or "plane".
 std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::string& unit);
 
-/// A sentence if the contact's half-width is not small beside the least radius of curvature, 0
-/// where none is known: what half-spaces leave out is of the order of the square of this ratio.
+/// A warning if the contact's half-width is not small compared with the least radius of curvature
+/// (0 if unknown): the error of the half-space approximation is of the order of the ratio squared.
 std::vector<std::string> half_space_warnings(double half_width, double least_radius);
 
-/// Returns solve(). If a quantity is out of range that one of the flags gave, the message names the
-/// flag and has its text.
+/// Returns solve(). If it throws because a quantity from one of the flags is out of range, the
+/// message names the flag and quotes its text.
 template <class Solve>
 auto naming(const std::vector<const Flag*>& flags, const Solve& solve) {
   try {

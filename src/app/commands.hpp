@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands of the program, and how they are added to it.
+// The commands of the program.
 #pragma once
 
 #include <functional>
@@ -17,18 +17,18 @@ namespace app {
 
 using command_line::ExitCode;
 
-/// What the help says of a command besides its flags.
+/// The help of a command besides its flags.
 struct CommandText {
   std::string name;
-  std::string description;  ///< its first sentence is in the list of commands
-  std::string examples;     ///< as they are printed: what each does, and below it the command line
+  std::string description;  ///< its first sentence also appears in the list of commands
+  std::string examples;     ///< as printed: what each does, then the command line
 };
 
-/// Adds a command: `set_up` adds its flags and returns what runs when it is chosen.
+/// Adds a command: `set_up` adds its flags and returns the function that runs it.
 void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code,
                  const std::function<std::function<ExitCode()>(CLI::App&)>& set_up);
 
-/// The same for a command whose flags are an Options.
+/// The same for a command whose flags are the members of Options.
 template <class Options>
 void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code,
                  ExitCode (*run)(const Options&)) {
@@ -38,7 +38,7 @@ void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code
   });
 }
 
-/// Each adds a command, which stores its answer in `exit_code`.
+/// Each adds a command, which stores its exit code in `exit_code`.
 void add_displacement_command(CLI::App& program, ExitCode& exit_code);
 void add_contact_command(CLI::App& program, ExitCode& exit_code);
 void add_point_contact_command(CLI::App& program, ExitCode& exit_code);

@@ -22,7 +22,7 @@ using line_contact::Element;
 using line_contact::Radius;
 using parameters::ContactCase;
 
-// Two bodies before they are loaded, and what is known of their contact.
+// Two unloaded bodies, and the closed form of their contact if there is one.
 struct Bodies {
   line_contact::Profile profile;
   std::optional<line_contact::Hertz> hertz = {};
@@ -38,10 +38,11 @@ Bodies cylinders_of(const ContactFlags& flags, const std::optional<ContactCase>&
   if (!radius2) radius2 = from_case ? from_case->body2.radius : Radius::of_plane();
   const double curvature1 = radius1->curvature(), curvature2 = radius2->curvature();
   if (!(curvature1 + curvature2 > 0)) {
-    throw sys::InputError(fmt::format(
-        "1/radius1 + 1/radius2 = {}: must be greater than 0: at most one plane, and a hollow wider "
-        "than the cylinder in it",
-        rounded(curvature1 + curvature2)));
+    throw sys::InputError(
+        fmt::format("1/radius1 + 1/radius2 = {}: must be greater than 0: at most one plane, and a "
+                    "hollow only if "
+                    "wider than the cylinder in it",
+                    rounded(curvature1 + curvature2)));
   }
   const line_contact::CylinderPair cylinders(materials.first, *radius1, materials.second, *radius2);
   return {cylinders.profile(), line_contact::Hertz(cylinders, load),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two bodies pressed together along a line, as `halfspace contact` and `halfspace stress` have
-// them.
+// Two bodies pressed together along a line, for `halfspace contact` and `halfspace stress`.
 #pragma once
 
 #include <optional>
@@ -16,7 +15,7 @@
 
 namespace app {
 
-/// A contact, as command line and case describe it, and its solution.
+/// A contact described by the command line and the case, with its solution.
 struct SolvedContact {
   Material material1, material2;
   line_contact::Solution solution;
@@ -26,7 +25,7 @@ struct SolvedContact {
   double seconds;
   std::vector<std::string> notes, warnings;
 
-  /// Of cylinders from the second moment of the pressure, of others half the distance between the
+  /// From the second moment of the pressure for cylinders; otherwise half the distance between the
   /// outer edges.
   double half_width() const;
 };
@@ -34,28 +33,28 @@ struct SolvedContact {
 /// The flags that describe a contact.
 struct ContactFlags {
   CLI::App& command;
-  Flag load{command, "--load", "FORCE/LENGTH", "Load", "Load P, a force per length of the contact"};
+  Flag load{command, "--load", "FORCE/LENGTH", "Load", "Load P, force per length of the contact"};
   Flag datum{command, "--datum", "LENGTH", "Load",
-             "The approach is that of points of the surfaces at this x; without it there is none"};
+             "x of the surface points whose approach is computed; without it, none is"};
   Flag radius1{command, "--radius1", "LENGTH", "Bodies",
                "Radius of body 1, a cylinder; 'plane' for a plane, negative for a hollow"};
   Flag radius2{command, "--radius2", "LENGTH", "Bodies", "Radius of body 2 [plane]"};
   PairOfMaterialFlags materials{command};
   Flag profile{command, "--profile", "cylinder|file:PATH", "Bodies",
-               "Gap between the bodies before they are loaded: that of cylinders, or measured: a "
+               "Gap between the unloaded bodies: that of cylinders, or measured: a "
                "CSV file with the columns x,gap [cylinder]"};
   Flag nodes{command, "--nodes", "COUNT", "Solution", "Number of nodes [401, or the case's]"};
   Flag domain{command, "--domain", "LENGTH", "Solution",
               "Width that the nodes fill [the contact and a tenth more, or the file's]"};
   Flag element{command, "--element", "triangular|uniform|point", "Solution",
-               "Pressure about a node: a triangle, a strip or a force [triangular]"};
+               "Pressure around a node: a triangle, a strip or a force [triangular]"};
   Flag method{command, "--method", "matrix-inversion|variational|fft", "Solution",
-              "How to solve [matrix-inversion up to 1000 nodes, then fft]"};
+              "Solution method [matrix-inversion up to 1000 nodes, then fft]"};
   Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
                  "fft: error of the pressure, relative to the peak [1e-10]"};
 
-  /// Solves the contact; flags override the case. Throws sys::InputError for what is missing,
-  /// wrong, or has no meaning for the profile, and what the methods throw.
+  /// Solves the contact; flags override the case. Throws sys::InputError for a flag that is
+  /// missing, wrong, or meaningless for the profile, and as the methods.
   SolvedContact solve(const Given& given) const;
 };
 

@@ -59,7 +59,7 @@ Json details_of(const ContactFlags& flags, const SolvedContact& solved) {
   return details;
 }
 
-// JSON leaves Hertz's pressure to two numbers.
+// The CSV also has Hertz's pressure; in JSON its half-width and peak define it.
 Table nodes_of(const SolvedContact& solved, bool is_csv) {
   const line_contact::Solution& s = solved.solution;
   const Eigen::VectorXd x = s.grid.nodes();
@@ -87,7 +87,7 @@ void add_notes(std::vector<std::string>& notes, const SolvedContact& solved,
   notes.push_back(fmt::format("{} elements, {}", line_contact::name_of(s.element), solved.method));
 }
 
-// The pressure at the nodes about the contact, and Hertz's if there is one.
+// The pressure at the nodes around the contact, with Hertz's if there is one.
 Picture picture_of(const SolvedContact& solved, const config::UnitSystem& units) {
   const line_contact::Solution& s = solved.solution;
   const auto regions = s.regions();
@@ -100,7 +100,7 @@ Picture picture_of(const SolvedContact& solved, const config::UnitSystem& units)
         line("Hertz", begin, end, [&](double x) { return solved.hertz->pressure(x); }));
   }
   picture.curves.push_back({"elements", !solved.hertz, {}, {}});
-  // A hundred points leave the line visible below them.
+  // With about a hundred points, the line below them stays visible.
   const Eigen::Index step = solved.hertz ? 1 + s.n_in_contact() / 100 : 1;
   for (Eigen::Index i = 0; i < s.grid.n_nodes; i += step) {
     if (s.grid.x(i) < begin || s.grid.x(i) > end) continue;
@@ -140,9 +140,9 @@ void add_contact_command(CLI::App& program, ExitCode& exit_code) {
   const CommandText text{
       "contact",
       R"(Hertz line contact: two cylinders, or a cylinder on a plane, pressed together along a line.
-Pressure, half-width and gap by boundary elements stand beside Hertz's closed form; the profile may
-also be measured.)",
-      R"(  A steel cylinder of radius 10 mm on a steel plane, 100 N/mm, drawn below:
+Pressure, half-width and gap by boundary elements are compared with Hertz's closed form; the profile
+may also be measured.)",
+      R"(  A steel cylinder of radius 10 mm on a steel plane, 100 N/mm, plotted below:
     halfspace contact --radius1 10 --load 100 --plot -
   A steel shaft in a bronze bearing, in inches and pounds, with the approach:
     halfspace contact --units in-lbf --radius1 1 --radius2 -1.1 --load 2500 \

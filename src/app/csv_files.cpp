@@ -38,7 +38,7 @@ std::string text_of(const std::string& file) {
   if (file == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
   if (std::filesystem::is_directory(file)) throw sys::InputError(file + ": is a folder");
   std::string text = sys::read_file(file);
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // a spreadsheet puts it in front
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // written by spreadsheets
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;
 }
@@ -75,7 +75,7 @@ CurvePoints read_curve(const std::string& file, const std::string& heading, std:
                                         line.number, numbers.size(), heading));
     }
     if (!points.x.empty() && !(numbers[0] > points.x.back())) {
-      throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than {}, the one before",
+      throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than the x before it, {}",
                                         file, line.number, numbers[0], points.x.back()));
     }
     points.x.push_back(numbers[0]);
@@ -121,7 +121,7 @@ std::vector<double> read_numbers(const std::string& file) {
     const std::vector<double> numbers = numbers_of(file, line);
     all.insert(all.end(), numbers.begin(), numbers.end());
   }
-  if (all.empty()) throw sys::InputError(file + ": has no number");
+  if (all.empty()) throw sys::InputError(file + ": contains no numbers");
   return all;
 }
 

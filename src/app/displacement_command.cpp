@@ -31,7 +31,7 @@ struct DisplacementOptions {
   Flag x_file{command, "--x-file", "FILE", "Points",
               "Instead: a file with one point per line; - reads standard input"};
   Flag datum{command, "--datum", "LENGTH", "Points",
-             "The x at which u_z = 0, which plane strain leaves open [ten times the load's "
+             "The x at which u_z = 0, arbitrary in plane strain [ten times the load's "
              "half-width, or the case's]"};
   Flag component{command, "--component", "normal|tangential", "Points",
                  "normal is u_z, into the body; tangential is u_x [normal]"};
@@ -62,15 +62,15 @@ double datum_of(const DisplacementOptions& options, const HalfSpace& from_case,
   return 10 * load.reach();
 }
 
-// A function of x on the surface by quadrature, and in closed form if one is known.
+// A function of x on the surface, by quadrature and in closed form if one is known.
 struct Function {
   std::string key, symbol, unit;
   std::function<Estimate(double)> quadrature;
   std::function<double(double)> closed_form;
 };
 
-// The same function, but infinite where the load jumps by more than `least`: the gradient by any
-// jump, the displacement by that of a concentrated force.
+// The same function, but infinite where the load jumps by more than `least`: any jump for the
+// gradient, a concentrated force for the displacement.
 Function infinite_at_jumps(const Function& function, const ChosenLoad& load, double least) {
   const auto infinite_at = [&load, least](double x) {
     const double jump = load.jump_at(x);
@@ -111,7 +111,7 @@ std::pair<Function, Function> functions_of(const elasticity::SurfaceQuadrature& 
   return {infinite_at_jumps(gradient, load, 0), infinite_at_jumps(displacement, load, finite)};
 }
 
-// Its numbers at all points.
+// The function's values at all points.
 struct Numbers {
   std::vector<double> quadrature, abs_error, closed_form;
 
@@ -129,7 +129,7 @@ Numbers add_columns(Table& table, const Function& function, const std::vector<do
   Numbers numbers;
   for (const double x : points) {
     const Estimate estimate = function.quadrature(x);
-    // At a jump the error is 0; elsewhere an infinite one comes with a number that has overflowed.
+    // At a jump the error is 0; elsewhere an infinite error means that the value has overflowed.
     require_finite(fmt::format("{}_quadrature at x = {}", function.key, x), estimate.abs_error);
     numbers.quadrature.push_back(estimate.value);
     numbers.abs_error.push_back(estimate.abs_error);
@@ -146,7 +146,7 @@ Numbers add_columns(Table& table, const Function& function, const std::vector<do
   table.push_back(aligned_column(function.key + "_abs_error", {"error", ""}, function.unit,
                                  numbers.abs_error, error, of_error));
   if (!function.closed_form) return numbers;
-  table.back().heads.clear();  // people read the closed form in its place
+  table.back().heads.clear();  // the text has the closed form instead
   add("_closed_form", "closed form", numbers.closed_form);
   return numbers;
 }
@@ -215,15 +215,15 @@ void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
   const CommandText text{
       "displacement",
       R"(Surface displacement u_z of a half-space under a strip load, a triangular load or any other
-pressure, and its gradient. Both come by numerical quadrature (eq. 2 of Ruggiero 2001), beside their
-closed forms where these are known. At the edge of a strip the displacement is finite and the
-gradient infinite.)",
+      pressure, and its gradient. Both are computed by numerical quadrature (eq. 2 of Ruggiero 2001) and
+      compared with their closed forms where these are known. At the edge of a strip the displacement is
+      finite and the gradient infinite.)",
       R"(  A strip load of 100 MPa on |x| <= 1 mm of steel:
     halfspace displacement --shape uniform --peak-pressure 100 --half-width 1
-  A triangular load on aluminium, at points of your own, drawn in the terminal:
+  A triangular load on aluminium, at chosen points, plotted in the terminal:
     halfspace displacement --peak-pressure 63MPa --half-width 0.4mm \
       --young 70GPa --poisson 0.33 --x 0:2:0.1 --datum 50 --plot -
-  Your own pressure as a formula, with all digits as CSV:
+  A pressure given by a formula, with all digits as CSV:
     halfspace displacement --shape 'expression:p0*(1-(x/a)^4)' \
       --peak-pressure 100 --half-width 1 --format csv
 )"};

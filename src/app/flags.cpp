@@ -16,13 +16,13 @@
 namespace app {
 namespace {
 
-// A number and the unit behind it, as they were written.
+// A number and its unit, as written.
 struct Written {
   double number;
   std::string unit;  // empty for none
 };
 
-// A unit begins with a letter or, as µm does, with a byte beyond ASCII.
+// A unit begins with a letter or, like µm, with a byte beyond ASCII.
 bool begins_unit(std::string_view text) {
   return sys::is_letter(text.front()) || static_cast<unsigned char>(text.front()) >= 0x80;
 }
@@ -70,7 +70,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 std::vector<double> range(const Flag& flag, double begin, double end, double step) {
   constexpr double most = 1e6, rounding = 1e-9;
   const double n_steps = (end - begin) / step;
-  if (!(n_steps >= 0)) flag.refuse("the step of BEGIN:END:STEP must lead from BEGIN to END");
+  if (!(n_steps >= 0)) flag.refuse("STEP of BEGIN:END:STEP must lead from BEGIN to END");
   if (!(n_steps < most)) flag.refuse(fmt::format("a range has at most {} points", most));
   return evenly_spaced(begin, step, static_cast<int>(n_steps + rounding) + 1);
 }
@@ -118,7 +118,7 @@ std::vector<double> Flag::quantities(const std::string& unit) const {
       elements.back().push_back(parse(name_, part));
     }
     const std::size_t n = elements.back().size();
-    if (n != 1 && n != 3) refuse("a range is BEGIN:END:STEP");
+    if (n != 1 && n != 3) refuse("a range must be BEGIN:END:STEP");
   }
   const std::string last_unit = elements.back().back().unit;
   std::vector<double> numbers;
@@ -187,7 +187,7 @@ std::vector<double> evenly_spaced(double first, double step, int n) {
   std::vector<double> numbers;
   for (int i = 0; i < n; ++i) {
     const double sum = first + i * step;
-    // What a sum leaves of zero is the rounding of its terms.
+    // A sum that should be zero is left with the rounding of its terms.
     constexpr double rounding = 1e-14;
     const bool is_zero = std::abs(sum) < rounding * size;
     numbers.push_back(is_zero ? 0 : parse_number("", fmt::format("{:.15g}", sum)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flags as users give them: numbers with or without a unit, lists and ranges, names.
+// Flags of the command line: numbers with or without a unit, lists and ranges, names.
 #pragma once
 
 #include <map>
@@ -13,12 +13,12 @@ class App;
 
 namespace app {
 
-/// A flag with a value. CLI11 stores the text and lists the help; numbers are read here, because
-/// CLI11 would read them by the locale.
+/// A flag with a value. CLI11 stores the text and lists the help; numbers are parsed here, because
+/// CLI11's parsing depends on the locale.
 class Flag {
  public:
-  /// `names` is "--x", or several separated by commas; messages use the first. `type` is what the
-  /// help calls the value, and `group` the heading that it lists the flag under.
+  /// `names` is "--x", or several separated by commas; messages use the first. `type` names the
+  /// value in the help, and `group` is the heading of the flag there.
   Flag(CLI::App& command, const std::string& names, const std::string& type,
        const std::string& group, const std::string& help);
   Flag(const Flag&) = delete;
@@ -28,11 +28,11 @@ class Flag {
   const std::string& text() const { return text_; }
   bool is_given() const { return !text_.empty(); }
 
-  /// The text, or what holds without the flag.
+  /// The text, or `other` without the flag.
   std::string text_or(const std::string& other) const { return is_given() ? text_ : other; }
 
-  /// What the name given stands for, or `other` if none was given. Throws sys::InputError, which
-  /// lists the names, for one that is not among them.
+  /// The meaning of the given name, or `other` without the flag. Throws sys::InputError, which
+  /// lists the names, for an unknown one.
   template <class Meaning>
   Meaning choice_or(Meaning other, const std::map<std::string, Meaning>& choices) const {
     if (!is_given()) return other;
@@ -42,19 +42,19 @@ class Flag {
     refuse_choice(names);
   }
 
-  /// The quantity in this unit, if it was given: 210GPa, "210 GPa", or a plain number, which has
-  /// the unit already. Unit "1" takes plain numbers only. Throws sys::InputError for anything else
-  /// than a finite number, and for a unit of another dimension.
+  /// The quantity in this unit, if it was given: 210GPa, "210 GPa", or a plain number, which is
+  /// already in the unit. Unit "1" takes plain numbers only. Throws sys::InputError for anything
+  /// but a finite number, and for a unit of a different dimension.
   std::optional<double> quantity(const std::string& unit) const;
 
-  /// The same; refuses what is not greater than 0.
+  /// The same, but rejects numbers that are not greater than 0.
   std::optional<double> positive(const std::string& unit) const;
 
-  /// Several of them: a list 0,0.5,1mm of quantities and of ranges BEGIN:END:STEP with both ends. A
-  /// unit behind the last number holds for all that have none. Empty if the flag was not given.
+  /// A list 0,0.5,1mm of quantities and of ranges BEGIN:END:STEP, which include both ends. A unit
+  /// after the last number applies to all numbers without one. Empty if the flag was not given.
   std::vector<double> quantities(const std::string& unit) const;
 
-  /// A whole number, also 1e6, if it was given. Refuses what is not from least to most.
+  /// A whole number, such as 1e6, if it was given. Rejects numbers outside [least, most].
   std::optional<long> count(long least, long most) const;
 
   /// Throws sys::InputError: "--load = -5: must be greater than 0".
@@ -67,35 +67,34 @@ class Flag {
   std::string text_;
 };
 
-/// A quantity that must be known: from its flag, or else from the case.
+/// A required quantity: from its flag, else from the case.
 struct Needed {
   const Flag& flag;
   std::string unit;
   std::optional<double> from_case = std::nullopt;
 };
 
-/// These quantities, all greater than 0. Throws sys::InputError naming all that are missing.
+/// These quantities, all greater than 0. Throws sys::InputError listing all missing ones.
 std::vector<double> read(const std::vector<Needed>& all);
 
-/// Throws sys::InputError naming all of the flags that are missing.
+/// Throws sys::InputError listing all of the flags that are missing.
 void require_given(const std::vector<const Flag*>& flags);
 
 /// Throws sys::InputError "--radius1 has no meaning for --profile file:gap.csv" if one of the flags
 /// was given.
 void refuse_given(const std::vector<const Flag*>& flags, const std::string& choice);
 
-/// The number that the whole text spells, whatever the locale says. Throws sys::InputError naming
-/// `what` and the text if it spells none, or one that is not finite.
+/// Parses the whole text as a number, independently of the locale. Throws sys::InputError with
+/// `what` and the text if it is not a finite number.
 double parse_number(const std::string& what, const std::string& text);
 
 /// Six significant digits at most, for limits in messages: 29.999999999999993 is 30.
 std::string rounded(double number);
 
-/// first, first + step, …: n numbers, rounded to the 15 digits that a decimal step deserves, so
-/// that three steps of 0.1 are 0.3.
+/// n numbers first, first + step, …, rounded to 15 digits so that three steps of 0.1 are 0.3.
 std::vector<double> evenly_spaced(double first, double step, int n);
 
-/// A member of what a case has, or nothing if there is no case.
+/// A member of a case, or nothing if there is no case.
 template <class Case, class Member>
 std::optional<Member> of_case(const std::optional<Case>& from_case, Member Case::*member) {
   return from_case ? std::optional((*from_case).*member) : std::nullopt;

@@ -35,8 +35,8 @@ std::vector<std::string> names_of(Shapes shapes) {
 
 std::string help_of(Shapes shapes) {
   std::string help =
-      "Pressure on |x| <= a: triangular; uniform, a strip load; linear:FRACTION, which falls from "
-      "the peak in the middle to this fraction of it at the edges";
+      "Pressure on |x| <= a: triangular; uniform, a strip load; linear:FRACTION, falling from the "
+      "peak in the middle to this fraction of it at the edges";
   if (shapes == Shapes::any) help += "; concentrated, a force at x = 0";
   if (shapes != Shapes::without_input) {
     help +=
@@ -46,7 +46,7 @@ std::string help_of(Shapes shapes) {
   return help + (shapes == Shapes::of_finite_width ? "" : " [triangular]");
 }
 
-// The closed forms of a load such as TriangularLoad: its functions of the namespace elasticity.
+// A load with closed forms, such as TriangularLoad, from the functions of the namespace elasticity.
 template <class Shape>
 ChosenLoad known_load(const Shape& shape, const std::string& source, std::vector<double> x,
                       std::vector<double> pressure) {
@@ -75,7 +75,7 @@ ChosenLoad load_of_file(const std::string& file) {
   for (std::size_t i = 0; i + 1 < points.x.size(); ++i) {
     const double begin = points.x[i], end = points.x[i + 1];
     const double p = points.y[i], q = points.y[i + 1];
-    // Exact at both ends, so that neighbours agree there.
+    // This form is exact at both ends, so neighbours agree there.
     pieces.push_back({begin, end, [=](double s) {
                         return p * ((end - s) / (end - begin)) + q * ((s - begin) / (end - begin));
                       }});
@@ -85,7 +85,7 @@ ChosenLoad load_of_file(const std::string& file) {
           .pressure = std::move(points.y)};
 }
 
-// muParser's reason alone: without the position, the formula and the full stop.
+// Extracts muParser's reason, without the position, the formula and the full stop.
 std::string reason_of(const mu::ParserError& error) {
   std::string reason = error.GetMsg();
   for (const char* ending : {" found at position", " at position", " at expression position"}) {
@@ -100,25 +100,25 @@ std::string reason_of(const mu::ParserError& error) {
 }
 
 [[noreturn]] void refuse(const std::string& formula, const mu::ParserError& error) {
-  // Where muParser does not know the place, something is missing at the end of the formula.
+  // If muParser does not know the position, something is missing at the end of the formula.
   const bool is_known = error.GetPos() >= 0 && error.GetPos() < static_cast<int>(formula.size());
   const std::size_t column = is_known ? static_cast<std::size_t>(error.GetPos()) : formula.size();
   throw sys::InputError(
       fmt::format("expression \"{}\", column {}: {}", formula, column + 1, reason_of(error)));
 }
 
-// The parser keeps the address of x, so both live together and stay where they are.
+// The parser keeps the address of x, so the two must stay together.
 struct Formula {
   mu::Parser parser;
   double x = 0;
 };
 
-// The function of x that a formula spells, such as p0*(1-(x/a)^4): muParser's operators and
-// functions (sin, sqrt, abs, exp, ln, min, …), pi, and these constants. The function throws
-// sys::InputError naming x where the formula has no finite value.
+// Parses a function of x such as p0*(1-(x/a)^4): muParser's operators and functions (sin, sqrt,
+// abs, exp, ln, min, …), pi, and these constants. The function throws sys::InputError naming x
+// where the formula has no finite value.
 //
-// Throws sys::InputError naming the column of the formula where it is wrong. The decimal sign is a
-// point in every locale.
+// Throws sys::InputError with the column of an error in the formula. The decimal sign is a point in
+// every locale.
 std::function<double(double)> parse_expression(const std::string& formula,
                                                const std::map<std::string, double>& constants) {
   const auto parsed = std::make_shared<Formula>();
@@ -145,7 +145,7 @@ std::function<double(double)> parse_expression(const std::string& formula,
     }
     if (std::isfinite(value)) return value;
     throw sys::InputError(
-        fmt::format("expression \"{}\" has no finite value at x = {}", formula, x));
+        fmt::format("expression \"{}\" has no finite value at x = {:.6g}", formula, x));
   };
 }
 
@@ -153,7 +153,7 @@ ChosenLoad load_of_formula(const std::string& formula, double a, std::optional<d
   std::map<std::string, double> constants{{"a", a}};
   if (p0) constants["p0"] = *p0;
   if (!p0 && formula.find("p0") != std::string::npos) {
-    throw sys::InputError("--peak-pressure, p0 of the formula, is missing");
+    throw sys::InputError("--peak-pressure, p0 in the formula, is missing");
   }
   const auto pressure = parse_expression(formula, constants);
   ChosenLoad chosen{.load = elasticity::distributed_load(pressure, {-a, 0, a})};

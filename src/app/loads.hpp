@@ -21,20 +21,20 @@ struct ClosedForms {
   std::function<double(double)> tangential_gradient, tangential_displacement;
 };
 
-/// A load, and what is known of it.
+/// A load with its closed forms and samples.
 struct ChosenLoad {
   elasticity::Load load;
-  std::string source = {};  ///< of the closed forms; empty for none
+  std::string source = {};  ///< reference of the closed forms; empty if there are none
   std::function<ClosedForms(const elasticity::Material&, double datum)> closed_forms = {};
-  /// The pressure at these places, linear between and zero outside: of a formula a fine sample;
+  /// The pressure at these x, linear between them and zero outside: a fine sample of a formula;
   /// empty for a concentrated force.
   std::vector<double> x = {}, pressure = {};
 
-  /// The greatest |x| at which it acts.
+  /// The greatest |x| of the load.
   double reach() const;
 
-  /// By how much the pressure jumps at x, from left to right; infinite at a concentrated force.
-  /// Where it does, the gradient of the surface is infinite and stresses have no limit.
+  /// The jump of the pressure at x, from left to right; infinite at a concentrated force. At a jump
+  /// the gradient of the surface is infinite and stresses have no limit.
   double jump_at(double x) const;
 };
 
@@ -44,11 +44,11 @@ enum class Shapes { any, of_finite_width, without_input };
 struct LoadFlags {
   LoadFlags(CLI::App& command, const std::string& names, Shapes shapes);
 
-  /// The shape as it was given.
+  /// The flag with its text, for messages.
   std::string name() const { return "--shape " + shape.text_or("triangular"); }
 
-  /// The flags override the case. Throws sys::InputError for a shape that is unknown, and for what
-  /// it lacks, has no use for, or cannot be.
+  /// The load; flags override the case. Throws sys::InputError for an unknown shape, and for flags
+  /// that the shape lacks, cannot use, or does not allow.
   ChosenLoad read(const std::optional<elasticity::TriangularLoad>& from_case,
                   const config::UnitSystem& units) const;
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t columns = 80;
 
-// The words of a text in lines that end before column 80, each after so many blanks.
+// Wraps a text before column 80, indenting every line but the first.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream words(text);
   std::string all;
@@ -61,8 +61,8 @@ std::set<std::string> names_of_flags(const CLI::App& command) {
   throw sys::InputError(fmt::format("{} (see {} --help)", message, command));
 }
 
-// Refuse what CLI11 would take for something else or report in words of its own: it reads a flag
-// behind "--x=", or behind a flag without a value, as that value.
+// Rejects what CLI11 would misread or report less clearly: it takes the flag that follows "--x=",
+// or a flag without a value, for the value.
 void require_sound(const CLI::App& program, const std::vector<std::string>& words) {
   const std::string first = words.empty() ? "" : words[0];
   if (first == "--help" || first == "-h" || first == "--version") return;
@@ -141,8 +141,8 @@ int main(int argc, char** argv) {
   command_line::set_program_name("halfspace");
   CLI::App program(
       "Hertz contact and surface displacements of elastic half-spaces: cylinders and spheres "
-      "pressed together, strip loads and any other pressure on a surface. Every result stands "
-      "beside an independent one or an error.",
+      "pressed together, strip loads and any other pressure on a surface. Every result comes with "
+      "an independent check or an error estimate.",
       "halfspace");
   program.set_version_flag("--version", "halfspace " HALFSPACE_VERSION)
       ->description("Print the version");
@@ -170,11 +170,11 @@ int main(int argc, char** argv) {
     return bad_input(error.what());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) return bad_input(error.what());
-    program.exit(error);  // prints what --help or --version asks for
+    program.exit(error);  // prints the help or the version
   }
-  // A full disk shows when the last of the output is written, not before.
+  // A full disk becomes apparent only when the last output is written.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return bad_input("standard output cannot be written");
+    return bad_input("cannot write to standard output");
   }
   return static_cast<int>(exit_code);
 }

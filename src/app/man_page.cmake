@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Writes the man page from the program's own help: cmake -DPROGRAM=… -DVERSION=… -DPAGE=… -P man_page.cmake
 
-# help_in_roff(variable [command]): the help as it is printed. A backslash means something in a manual, and so does a point or a
-# quote at the beginning of a line.
+# help_in_roff(variable [command]): the help as printed. roff interprets a backslash, and a point or
+# a quote at the beginning of a line; escape them.
 function(help_in_roff variable)
   execute_process(COMMAND "${PROGRAM}" ${ARGN} --help OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE "\\" "\\e" text "${text}")
@@ -28,5 +28,5 @@ foreach(command IN LISTS commands)
   string(APPEND page ".SH ${title}\n${help}")
 endforeach()
 file(WRITE "${PAGE}" "${page}.SH EXIT STATUS
-0: success. 1: the computation failed. 2: bad input, named in one line. 3: gnuplot is missing or failed.
+0: success. 1: the computation failed. 2: bad input, reported in one line. 3: gnuplot is missing or failed.
 ")

@@ -31,7 +31,7 @@ std::string ending_of(const std::string& where) {
   return where == "-" ? where : fs::path(where).extension().string();
 }
 
-// A text within gnuplot's single quotes.
+// Quotes a text for gnuplot.
 std::string quoted(const std::string& text) {
   std::string quoted;
   for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
@@ -48,7 +48,7 @@ void set_up(Gnuplot& gnuplot, const Picture& picture, const std::string& termina
           << "set style line 2 linewidth 2 linecolor rgb '#b5541c'\n"
           << "set style line 3 linewidth 2 linecolor rgb '#3a7d44'\n";
   if (is_text) {
-    // Characters cannot stand upright, so the label of the y axis stands above it.
+    // A terminal cannot print vertical text, so the label of the y axis goes above it.
     gnuplot << "set label 1 " << quoted(picture.y_label) << " at graph 0, screen 0.95\n"
             << "set tmargin 4\n";
   } else {
@@ -70,7 +70,7 @@ void plot(Gnuplot& gnuplot, const std::vector<Curve>& curves, bool is_text) {
   for (const Curve& curve : curves) gnuplot.send1d(std::make_pair(curve.x, curve.y));
 }
 
-// Refuse a picture that cannot be drawn, before anything is computed.
+// Rejects a picture that cannot be drawn, before anything is computed.
 void require_drawable(const Flag& where) {
   if (!terminals().contains(ending_of(where.text()))) {
     where.refuse("must end with .svg, .png or .pdf, or be -");
@@ -78,14 +78,14 @@ void require_drawable(const Flag& where) {
   require_folder_of(where);
 }
 
-// Draw the picture; a file takes its place when it is whole.
+// Draws the picture. A file is renamed into place once it is complete.
 void draw(const Picture& picture, const std::string& where) {
   const bool is_text = where == "-";
   const std::string part = where + ".part";
-  std::fflush(stdout);  // gnuplot writes on the same terminal
+  std::fflush(stdout);  // gnuplot writes to the same terminal
   {
-    // With default settings it does not read the user's ~/.gnuplot. It begins a page of characters
-    // with a form feed and does not end the last line.
+    // Default settings ignore the user's ~/.gnuplot. The dumb terminal starts with a form feed and
+    // does not end its last line.
     const std::string program =
         "LC_ALL=C.UTF-8 '" + sys::find_tool("gnuplot").string() + "' --default-settings";
     Gnuplot gnuplot(is_text ? program + " | tr -d '\\f'; echo" : program);
@@ -109,10 +109,10 @@ Output::Output(CLI::App& command, const std::string& tables)
     : case_(command, "--case", "FILE", group,
             "A case file (TOML) with " + tables + "; flags override it"),
       units_(command, "--units", "mm-N|m-N|in-lbf", group,
-             "System of all numbers without a unit, and of the result: mm, N, MPa; m, N, Pa; in, "
-             "lbf, psi [mm-N, or the case's]"),
+             "System of units of the result and of plain numbers: mm, N, MPa; m, N, Pa; in, lbf, "
+             "psi [mm-N, or the case's]"),
       format_(command, "--format", "table|csv|json", group,
-              "How to print: for people, or with all digits for programs [table]"),
+              "Output format: a rounded table, or CSV or JSON with all digits [table]"),
       plot_(command, "--plot", "FILE", group,
             "Draw the result in a .svg, .png or .pdf file; - draws it in the terminal") {}
 
@@ -123,7 +123,7 @@ Given Output::given() const {
   const auto format = format_.choice_or(
       Format::table, {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}});
   if (plot_.text() == "-" && format != Format::table) {
-    plot_.refuse("needs --format table, below which it is drawn");
+    plot_.refuse("needs --format table; the plot is printed below the table");
   }
   if (plot_.is_given()) require_drawable(plot_);
   if (!case_.is_given()) return given;

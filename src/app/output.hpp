@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all commands share: the case and the units that numbers are read in, and how the result is
-// printed and drawn.
+// Common to all commands: the case, the system of units, and the output of the result.
 #pragma once
 
 #include <functional>
@@ -19,7 +18,7 @@ namespace app {
 /// A curve of a picture. Both columns have the same length; NaN breaks the curve.
 struct Curve {
   std::string title;
-  bool is_line;  ///< else a point at each pair
+  bool is_line;  ///< a line, or else points
   std::vector<double> x, y;
 };
 
@@ -29,11 +28,11 @@ struct Picture {
   std::vector<Curve> curves;
 };
 
-/// A line through the values of a function at 401 places from begin to end.
+/// A line through the values of a function at 401 points from begin to end.
 Curve line(const std::string& title, double begin, double end,
            const std::function<double(double)>& value);
 
-/// What the numbers of a command line are read with.
+/// The case and the units in which the numbers of a command line are read.
 struct Given {
   std::optional<parameters::CaseFile> file;
   config::UnitSystem units;
@@ -42,19 +41,19 @@ struct Given {
 /// The flags --case, --units, --format and --plot.
 class Output {
  public:
-  /// `tables` names what the command takes from a case, in the help.
+  /// `tables` lists, for the help, the tables of a case that the command reads.
   Output(CLI::App& command, const std::string& tables);
 
-  /// Reads the case file, if there is one, and the system of units: the case's, or that of --units,
-  /// or mm-N. Throws sys::InputError for what is wrong with any of the four flags, before anything
-  /// is computed.
+  /// Reads the case file, if there is one, and the system of units: the case's, else that of
+  /// --units, else mm-N. Throws sys::InputError for an error in any of the four flags, before
+  /// anything is computed.
   Given given() const;
 
   bool is_csv() const { return format_.text() == "csv"; }
 
-  /// Prints warnings on standard error and the result in its format, then draws the picture. Throws
-  /// sys::InputError for a number that is not finite, sys::ToolError if gnuplot fails or is
-  /// missing.
+  /// Prints warnings on standard error and the result in the requested format, then draws the
+  /// picture. Throws sys::InputError for a number that is not finite, sys::ToolError if gnuplot
+  /// fails or is missing.
   command_line::ExitCode print(const Result& result, const std::function<Picture()>& picture) const;
 
  private:

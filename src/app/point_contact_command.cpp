@@ -27,7 +27,7 @@ using point_contact::Element;
 using point_contact::HertzElliptic;
 using point_contact::Vector2;
 
-// A sphere by one radius, an ellipsoid by two.
+// One radius describes a sphere, two an ellipsoid.
 struct RadiusFlags {
   CLI::App& command;
   std::string number, help;
@@ -46,19 +46,20 @@ struct PointContactOptions {
                       "Radius of body 1, a sphere; 'plane' for a plane, negative for a hollow"};
   RadiusFlags radius2{command, "2", "Radius of body 2 [plane]"};
   PairOfMaterialFlags materials{command};
-  Flag profile{command, "--profile", "sphere|file:PATH|heights:PATH", "Bodies",
-               "Gap between the bodies before they are loaded: by their radii, or measured: a CSV "
-               "grid of gaps, or of heights of a surface, one line for each y [sphere]"};
-  Flag spacing{command, "--spacing", "LENGTH", "Bodies", "Measured: distance between its points"};
+  Flag profile{
+      command, "--profile", "sphere|file:PATH|heights:PATH", "Bodies",
+      "Gap between the unloaded bodies: from their radii, or measured: a CSV grid of gaps, or "
+      "of the heights of a surface, one line per y [sphere]"};
+  Flag spacing{command, "--spacing", "LENGTH", "Bodies", "Distance between measured points"};
   Flag nodes{command, "--nodes", "COUNT", "Solution",
              "Number of nodes along the longer side of the domain [256]"};
   Flag domain{
       command, "--domain", "LENGTH", "Solution",
       "Width of the square that the nodes fill [the contact and a ninth more, or the file's]"};
   Flag element{command, "--element", "pyramid|uniform", "Solution",
-               "Pressure about a node: a pyramid, or uniform on a square [pyramid]"};
+               "Pressure around a node: a pyramid, or uniform on a square [pyramid]"};
   Flag method{command, "--method", "fft|variational", "Solution",
-              "How to solve; variational is a slower reference [fft]"};
+              "Solution method; variational is a slower reference [fft]"};
   Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
                  "Error of the pressure, relative to the peak [1e-8]"};
   Flag field{command, "--field", "FILE", "Input and output",
@@ -70,7 +71,7 @@ struct PointContactOptions {
   }
 };
 
-// Two bodies and what is known of their contact.
+// Two unloaded bodies, and the closed form of their contact if there is one.
 struct Bodies {
   point_contact::Profile profile;
   std::optional<HertzElliptic> hertz = {};
@@ -106,10 +107,9 @@ Bodies curved_bodies(const PointContactOptions& options,
       radius_of_case(&ContactCase::body2).value_or(line_contact::Radius::of_plane()), units.length);
   const Vector2 sum = first + second;
   if (!(sum.minCoeff() > 0)) {
-    throw sys::InputError(
-        fmt::format("the curvatures 1/radius1 + 1/radius2 are {} along x and {} along y: must be "
-                    "greater than 0",
-                    rounded(sum.x()), rounded(sum.y())));
+    throw sys::InputError(fmt::format(
+        "1/radius1 + 1/radius2 = {} along x and {} along y: both must be greater than 0",
+        rounded(sum.x()), rounded(sum.y())));
   }
   const double greatest = std::max(first.cwiseAbs().maxCoeff(), second.cwiseAbs().maxCoeff());
   return {point_contact::Profile::elliptic_paraboloid(sum.x(), sum.y()),
@@ -156,7 +156,7 @@ point_contact::Grid grid_of(const PointContactOptions& options, const Bodies& bo
 
 std::vector<Quantity> quantities_of(const Bodies& bodies, const point_contact::Solution& s,
                                     double load, const UnitSystem& units) {
-  // Of curved bodies from the pressure, of others from the area.
+  // From the pressure for curved bodies, from the area for measured ones.
   const Vector2 widths = bodies.hertz ? s.semi_axes() : s.area_semi_axes();
   std::vector<Quantity> quantities = {
       {"half_widths", "half-width, greatest", units.length, widths[0]},
@@ -230,7 +230,7 @@ void add_notes(std::vector<std::string>& notes, const PointContactOptions& optio
                               options.method.text_or("fft")));
 }
 
-// The pressure along the two axes, and Hertz's if there is one.
+// The pressure along the two axes, with Hertz's if there is one.
 Picture picture_of(const Bodies& bodies, const point_contact::Solution& s,
                    const UnitSystem& units) {
   Picture picture{
@@ -312,15 +312,15 @@ ExitCode run(const PointContactOptions& options) {
 void add_point_contact_command(CLI::App& program, ExitCode& exit_code) {
   const CommandText text{
       "point-contact",
-      R"(Hertz point contact: two spheres, ellipsoids or a rough surface pressed together at a point. The
-pressure and the gap on a plane of nodes stand beside Hertz's closed form; a surface may also be a
-measured height map.)",
+      R"(Hertz point contact: two spheres or ellipsoids pressed together at a point, or a rough surface.
+      Pressure and gap on a plane of nodes are compared with Hertz's closed form; a surface may also be a
+      measured height map.)",
       R"(  A steel ball of radius 10 mm on a steel plane, 100 N:
     halfspace point-contact --radius1 10 --load 100
-  A steel ball in an aluminium groove, drawn in a file:
+  A steel ball in an aluminium groove, plotted to a file:
     halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 \
       --young2 70GPa --poisson2 0.33 --load 50 --plot pressure.pdf
-  A measured surface, points 5 um apart, under a flat; pressures in a file:
+  A measured surface with points 5 um apart under a flat, pressures in a file:
     halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \
       --field pressure.csv
 )"};

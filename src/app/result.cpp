@@ -14,8 +14,8 @@
 namespace app {
 namespace {
 
-// A million numbers take a tenth of a second, since nothing is allocated for each. Both zeros are
-// printed without a sign.
+// Without an allocation per number, a million take a tenth of a second. Adding 0 drops the sign of
+// a zero.
 void append(std::string& text, double number) {
   std::array<char, 32> digits;
   const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number + 0.0);
@@ -110,7 +110,7 @@ std::string text_of(const Table& table) {
   return text;
 }
 
-// Two numbers of one key are an array.
+// Two numbers with one key form an array.
 void add(Json& json, const std::string& key, double number) {
   if (json.contains(key)) {
     json[key] = {json[key], number};
@@ -234,7 +234,7 @@ std::string json_of(const Result& result) {
   json["units"] = result.units;
   append_json(text, json, "");
   if (result.table_in_json == InJson::columns) {
-    // Columns may be long, so they do not pass through a tree of values.
+    // Columns may be long, so they bypass the tree of values.
     constexpr std::size_t usual_number = 22;
     text.resize(text.size() - 2);
     text.reserve(text.size() + usual_number * result.table.size() * n_rows_of(result.table));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a command has found. The text for people, CSV and JSON follow from it. A number may be
-// infinite, or have no limit and so be NaN: CSV then has inf or nan, and JSON null.
+// The result of a command, from which the text table, CSV and JSON are made. A number may be
+// infinite, or NaN where it has no limit; CSV prints inf or nan, JSON null.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,44 +14,44 @@ namespace app {
 
 using Json = nlohmann::ordered_json;
 
-/// A column of a table: numbers, or texts.
+/// A column of a table: numbers or texts.
 struct Column {
-  std::string key;                      ///< in CSV and JSON; empty if only people see it
-  std::vector<std::string> heads = {};  ///< lines above it for people; none if they do not see it
+  std::string key;                      ///< in CSV and JSON; empty for a column of the text only
+  std::vector<std::string> heads = {};  ///< heading lines in the text; empty if not in the text
   std::vector<double> numbers = {};
-  std::vector<std::string> cells = {};  ///< what people read; a column of texts has only these
+  std::vector<std::string> cells = {};  ///< in the text; a column of texts has only these
 };
 
 using Table = std::vector<Column>;
 
-/// One number of a result, with that of the closed form beside it, if there is one.
+/// One number of a result, with its closed form if there is one.
 struct Quantity {
-  std::string key;  ///< in JSON, where two numbers of one key are an array
+  std::string key;  ///< in JSON, where two numbers with one key form an array
   std::string label;
   std::string unit;
   double value;
   std::optional<double> exact = std::nullopt;
 };
 
-/// What JSON has of a table: an array for each column, an array of rows and nothing else, or
-/// nothing at all.
+/// How JSON contains a table: one array per column, an array of rows as the whole document, or not
+/// at all.
 enum class InJson { columns, rows, nothing };
 
 struct Result {
   std::vector<Quantity> quantities = {};
-  int digits = 7;         ///< significant ones of the quantities, for people
+  int digits = 7;         ///< significant digits of the quantities in the text
   bool is_hertz = false;  ///< whether the closed forms are Hertz's
-  Json details = {};      ///< what else JSON has
-  Table table = {};       ///< the CSV, and for people the columns with heads
+  Json details = {};      ///< further entries of the JSON
+  Table table = {};       ///< the CSV; the text has its columns with heads
   InJson table_in_json = InJson::columns;
-  Json units = {};                      ///< in JSON: of keys, or of kinds of keys
-  std::vector<std::string> notes = {};  ///< lines below what people read
+  Json units = {};                      ///< in JSON: unit of each key or kind of key
+  std::vector<std::string> notes = {};  ///< lines below the text
   std::vector<std::string> warnings = {};
 };
 
-/// A column that people read too, aligned, with as many decimals as give `largest` this many
-/// significant digits. If that is large or small, all numbers are divided by a power of ten that
-/// stands before the unit. Infinite is "infinite", NaN "no limit".
+/// A column aligned for the text, with as many decimals as give `largest` this many significant
+/// digits. If `largest` is very large or small, all numbers are divided by a power of ten that
+/// precedes the unit. Infinity prints as "infinite", NaN as "no limit".
 Column aligned_column(const std::string& key, const std::vector<std::string>& heads,
                       const std::string& unit, std::vector<double> numbers, double largest,
                       int digits);
@@ -59,26 +59,26 @@ Column aligned_column(const std::string& key, const std::vector<std::string>& he
 /// The greatest magnitude among the finite numbers.
 double greatest(const std::vector<double>& numbers);
 
-/// A column of places, with six digits of each at most.
+/// A column of coordinates, with at most six digits each.
 Column column_of_places(const std::string& key, const std::string& unit,
                         std::vector<double> numbers);
 
-/// Significant digits of a number with this relative error, from 3 to `most`.
+/// The significant digits that this relative error supports, from 3 to `most`.
 int earned_digits(double rel_error, int most);
 
-/// Throws sys::InputError naming a number that has overflowed.
+/// Throws sys::InputError naming `what` if the number has overflowed.
 void require_finite(const std::string& what, double number);
 
-/// Quantities beside their closed forms, table, and notes, in 80 columns.
+/// The text: quantities beside their closed forms, table and notes, in 80 columns.
 std::string text_of(const Result& result);
 
-/// A header and one line per row, numbers with the shortest digits that read back.
+/// A header and one line per row; numbers have the fewest digits that read back exactly.
 std::string csv_of(const Table& table);
 
-/// Quantities, closed forms, details, columns and units under their keys, with such digits too.
+/// Quantities, closed forms, details, columns and units under their keys; numbers as in csv_of.
 std::string json_of(const Result& result);
 
-/// The numbers at the nodes, for a column.
+/// Copies the numbers at the nodes, for a column.
 std::vector<double> to_vector(const Eigen::VectorXd& numbers);
 
 }  // namespace app

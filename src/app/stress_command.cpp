@@ -22,12 +22,12 @@ struct StressOptions {
   ContactFlags contact{command};
   Flag x{command, "--x", "LENGTH", "Points", "Positions along the surface, a list or a range [0]"};
   Flag z{command, "--z", "LENGTH", "Points",
-         "Depths, a list or a range; every x is taken with every z [to twice the half-width]"};
-  Flag body{command, "--body", "1|2", "Points", "In which of the two bodies of a contact [1]"};
+         "Depths, a list or a range, combined with every x [to twice the half-width]"};
+  Flag body{command, "--body", "1|2", "Points", "Body of the contact [1]"};
   Output output{command, "[contact], or [half_space] with --shape"};
 };
 
-// The stresses beneath what presses on the body, as a function of (x, z).
+// The stresses beneath a load or a contact, as functions of (x, z).
 struct Pressed {
   std::function<Stress(double, double)> stress, mcewen;  // McEwen's for cylinders alone
   double half_width;
@@ -60,7 +60,7 @@ Pressed pressed_by_load(const StressOptions& options, const Given& given) {
 
 Pressed pressed_by_contact(const StressOptions& options, const Given& given) {
   const LoadFlags& load = options.load;
-  refuse_given({&load.peak_pressure, &load.half_width}, "a contact; --shape gives a pressure");
+  refuse_given({&load.peak_pressure, &load.half_width}, "a contact; a pressure needs --shape");
   if (options.contact.element.text_or("triangular") != "triangular") {
     options.contact.element.refuse("stresses need triangular elements");
   }
@@ -85,7 +85,7 @@ Pressed pressed_by_contact(const StressOptions& options, const Given& given) {
 struct Point {
   double x, z;
   Stress stress;
-  double mcewen;  // his greatest shear in the plane
+  double mcewen;  // McEwen's greatest in-plane shear
 };
 
 std::vector<Point> points_of(const StressOptions& options, const Pressed& pressed,
@@ -140,7 +140,7 @@ Table table_of(const std::vector<Point>& points, const Pressed& pressed,
 
 void add_notes(std::vector<std::string>& notes, const std::vector<Point>& points,
                const Pressed& pressed) {
-  notes.emplace_back("largest shear: Tresca's, of all planes; tension is positive");
+  notes.emplace_back("largest shear: over all planes (Tresca); tension is positive");
   if (!pressed.mcewen) return;
   double difference = 0;
   for (const Point& p : points) {
@@ -151,7 +151,7 @@ void add_notes(std::vector<std::string>& notes, const std::vector<Point>& points
                   100 * difference / pressed.peak_pressure));
 }
 
-// Against the depth, a curve for each x; along x if all points have one depth.
+// Plots the stresses over the depth, one curve per x; over x if all points have the same depth.
 Picture picture_of(const std::vector<Point>& points, double nu, const config::UnitSystem& units) {
   const bool is_along_x = points.size() > 1 && points.front().z == points.back().z;
   std::map<double, std::vector<Point>> curves;
@@ -195,9 +195,9 @@ ExitCode run(const StressOptions& options) {
 void add_stress_command(CLI::App& program, ExitCode& exit_code) {
   const CommandText text{
       "stress",
-      R"(Stresses beneath a line contact, or beneath a strip load or another pressure. Plane strain, z into
-the body; beneath cylinders beside McEwen's closed form. With --shape the pressure is given; without
-it two bodies are pressed together as by 'halfspace contact'.)",
+      R"(Stresses beneath a line contact, or beneath a strip load or any other pressure. Plane strain, z into
+      the body. With --shape the pressure is given; without it two bodies are pressed together as in
+      'halfspace contact', and beneath cylinders the shear is compared with McEwen's closed form.)",
       R"(  On the axis beneath a steel cylinder on a plane, to twice the half-width:
     halfspace stress --radius1 10 --load 100 --plot -
   Beneath a strip load of 100 MPa on |x| <= 1 mm:

@@ -15,7 +15,7 @@ auto each(const Levels<T>& levels, F of) {
 }
 
 numerics::Estimate estimate(double fine, double coarse, double coarser) {
-  constexpr double unbalanced = 1e-10;  // what a solution leaves of the load at most
+  constexpr double unbalanced = 1e-10;  // the greatest part of the load that a solution leaves
   return {fine,
           std::abs(fine - coarse) + std::abs(coarse - coarser) / 2 + unbalanced * std::abs(fine)};
 }

@@ -19,29 +19,29 @@ struct MeasureEstimate {
   numerics::Estimate value;
 };
 
-/// One thing on the discretisation that was asked for, and on the two that are coarser() by one
-/// and two levels.
+/// A value on each of three discretisations: the requested one, and those one and two levels
+/// coarser().
 template <class T>
 using Levels = std::array<T, 3>;
 
-/// One load's solution on three discretisations. Every value is that of the finest, its abs_error
-/// the distance from the second and half of the distance of the second from the third, which held
-/// in more than ten thousand comparisons with finer meshes: pessimistic by orders where convergence
-/// is exponential, as it is for displacements and energy.
+/// One load's solution on three discretisations. Every value is that of the finest; its abs_error
+/// is the distance to the second plus half the distance from the second to the third. This bound
+/// held in more than ten thousand comparisons with finer meshes. It is pessimistic by orders of
+/// magnitude where convergence is exponential, as it is for displacements and energy.
 class RefinedSolution {
  public:
-  /// `left_out` are the discs without stresses; see discs_without_limit.
+  /// `left_out`: the discs that the stress measures exclude; see discs_without_limit.
   RefinedSolution(Levels<Solution> levels, std::vector<Disc> left_out);
 
   const Solution& fine() const { return levels_[0]; }
 
-  /// u_z at any point, a length; InvalidQuantity is thrown outside the block.
+  /// u_z at any point, a length. Throws InvalidQuantity outside the block.
   numerics::Estimate displacement_z(double x, double z) const;
 
   /// The measures of Appendix 2, see block::measures.
   std::vector<MeasureEstimate> measures(const std::vector<double>& surface_points = {}) const;
 
-  /// The discs in which the measures look at no stress, since it has no limit there.
+  /// The discs that the stress measures exclude, because stress has no limit there.
   const std::vector<Disc>& left_out() const { return left_out_; }
 
  private:
@@ -66,7 +66,7 @@ class SupportedBlock {
   Levels<Factorization> levels_;
 };
 
-/// The finite block of Appendix 2 in plane strain, from its dimensions to estimates with errors.
+/// The finite block of Appendix 2 in plane strain, from dimensions to estimates with errors.
 ///
 ///   const Analysis analysis({2, 1}, material, {load}, {.order = 8, .refine = 1});
 ///   const SupportedBlock clamped = analysis.on(with_sides(Support::clamped));
@@ -80,7 +80,7 @@ class Analysis {
 
   const std::shared_ptr<const Model>& fine() const { return levels_[0]; }
 
-  /// The block on the given supports; see Factorization for what is thrown.
+  /// The block on the given supports. Throws as Factorization.
   SupportedBlock on(const Supports& supports) const { return {block_, levels_, supports}; }
 
  private:

@@ -11,23 +11,22 @@
 namespace block {
 namespace {
 
-// Two kinks that are closer than this part of the width are one kink, which rounding or a change of
-// units set apart.
+// Kinks closer than this fraction of the width are one kink, separated by rounding or a change of
+// units.
 constexpr double same_place = 1e-9;
 
 double lesser_side(const Rectangle& block) {
   return std::min(block.width(), block.height());
 }
 
-// The distance from a kink to the next, at most `most`.
+// The distance from a kink to the nearest other one, at most `most`.
 double spacing_beside(const std::vector<double>& kinks, std::size_t i, double most) {
   if (i > 0) most = std::min(most, kinks[i] - kinks[i - 1]);
   if (i + 1 < kinks.size()) most = std::min(most, kinks[i + 1] - kinks[i]);
   return most;
 }
 
-// Returns the kinks, each with the size of the elements beside it, and the sides of the block on
-// the left and right of them.
+// Returns the kinks and the sides of the block, each with the size of the elements beside it.
 std::vector<GradedPoint> graded_columns(const Rectangle& block, const std::vector<double>& kinks,
                                         double fraction) {
   const double corner = fraction * lesser_side(block);
@@ -45,7 +44,7 @@ std::vector<GradedPoint> graded_columns(const Rectangle& block, const std::vecto
   return points;
 }
 
-// The difference of the pressure's limits on both sides of x.
+// The magnitude of the pressure's jump at x.
 double jump_at(double x, double hair, const numerics::PiecewiseFunction& pressure) {
   double jump = 0;
   for (const numerics::Piece& piece : pressure.pieces()) {
@@ -110,7 +109,7 @@ bool Disc::holds(const Eigen::Vector2d& point) const {
 
 std::vector<Disc> discs_without_limit(const Rectangle& block, const Supports& supports,
                                       const elasticity::Load& load) {
-  // A jump that is hidden by the errors of the rest
+  // A smaller jump is hidden by other errors
   constexpr double least_jump = 1e-6;
   std::vector<Disc> discs;
   const std::vector<double> kinks = kinks_of({load});

@@ -9,7 +9,7 @@
 
 namespace block {
 
-/// How finely the block is divided.
+/// The resolution of the finite elements.
 struct Discretization {
   int order = 7;   ///< polynomial degree p of the elements, 4 … 10
   int refine = 1;  ///< level of refinement, 1 … 4
@@ -18,23 +18,23 @@ struct Discretization {
 /// Throws InvalidQuantity for an order or a refinement out of range.
 void require_valid(const Discretization& discretization);
 
-/// One order and one level of refinement less, which may leave the range above: what an error is
-/// estimated with.
+/// One order and one level of refinement less, for error estimates; may leave the range above.
 Discretization coarser(const Discretization& discretization);
 
-/// The ends and kinks of all loads, rising, each once (to 1e-9 of their span): what the mesh is
-/// graded to.
+/// The ends and kinks of all loads, rising and distinct to 1e-9 of their span. The mesh is graded
+/// towards them.
 std::vector<double> kinks_of(const std::vector<elasticity::Load>& loads);
 
-/// The mesh of a block that is to carry the given loads, or any whose kinks are among theirs.
+/// The mesh of a block for the given loads, or any loads whose kinks are among theirs.
 ///
-/// Columns are graded towards every kink, where stresses have logarithmic kinks or jumps, rows
-/// towards the loaded top, and both towards the sides and the bottom, in whose corners a clamped
-/// and a free side meet with stresses like r^−0.29 (ν = 0.3). With refine = N the element beside a
-/// kink is 0.2·0.3^N of the distance to the next kink, that in a corner 0.2·0.3^N of the lesser
-/// side of the block, and the distance of the element boundaries from the end grows by 1/(0.2 +
-/// 0.07 N) from each to the next: a level more means more layers, and smaller elements everywhere.
-/// Throws InvalidQuantity for loads outside the block or concentrated, and for no load at all.
+/// Columns are graded towards every kink, where stresses have logarithmic kinks or jumps, and rows
+/// towards the loaded top. Both are graded towards the sides and the bottom, because in a corner
+/// between a clamped and a free side stresses grow like r^−0.29 (ν = 0.3). With refine = N, the
+/// element beside a kink is 0.2·0.3^N of the distance to the next kink and that in a corner
+/// 0.2·0.3^N of the lesser side of the block; the distances of successive element boundaries from
+/// the end grow by the factor 1/(0.2 + 0.07 N). One more level thus adds layers and makes elements
+/// smaller everywhere. Throws InvalidQuantity for loads outside the block, concentrated loads, and
+/// an empty list.
 Mesh graded_mesh(const Rectangle& block, const std::vector<elasticity::Load>& loads,
                  const Discretization& discretization);
 
@@ -47,12 +47,12 @@ struct Disc {
   bool holds(const Eigen::Vector2d& point) const;
 };
 
-/// The discs about the points of the block where stresses have no limit as the mesh is refined.
+/// Discs about the points where stresses do not converge as the mesh is refined.
 ///
-/// They are the places where the pressure jumps, beside which polynomials overshoot by a tenth of
-/// the jump however small the element (Gibbs), and the corners between a clamped and a free side,
-/// where stresses grow without bound. A radius is a quarter of the distance to the next kink of
-/// the load, or a tenth of the lesser side of the block.
+/// Beside a jump of the pressure, polynomials overshoot by a tenth of the jump however small the
+/// element (Gibbs); the radius is a quarter of the distance to the next kink. In the corners
+/// between a clamped and a free side, stresses are unbounded; the radius is a tenth of the lesser
+/// side of the block.
 std::vector<Disc> discs_without_limit(const Rectangle& block, const Supports& supports,
                                       const elasticity::Load& load);
 

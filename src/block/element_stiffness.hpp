@@ -11,7 +11,7 @@
 
 namespace block {
 
-/// A stiffness matrix that could not be factorised or solved with; what() says which and why.
+/// A stiffness matrix whose factorisation or solution failed; what() names it and the reason.
 class FactorizationError : public sys::ComputationError {
  public:
   using ComputationError::ComputationError;
@@ -28,14 +28,13 @@ Lame lame(const elasticity::Material& material);
 ///
 /// With strains ε_xx = ∂u_x/∂x, ε_zz = ∂u_z/∂z, γ = ∂u_x/∂z + ∂u_z/∂x and stresses by λ and μ, the
 /// integrals along the two edges separate: the matrix is a sum of Kronecker products of the
-/// one-dimensional `integrals`, exact for every order. It depends on the rectangle by its aspect
-/// alone, height over width.
-/// Size 2(p + 1)²; unknown 2[j(p + 1) + i] + c is component c (0: x, 1: z) at the node at step i
-/// along x and j along z.
+/// one-dimensional `integrals`, exact for every order. It depends only on the rectangle's aspect
+/// ratio, height over width. Size 2(p + 1)²; unknown 2[j(p + 1) + i] + c is component c (0: x, 1:
+/// z) at the node at step i along x and j along z.
 Eigen::MatrixXd element_stiffness(const LobattoBasis::Integrals& integrals, const Lame& lame,
                                   double aspect);
 
-/// The one-dimensional integrals one above the other, so that a product with all of them is one.
+/// The one-dimensional integrals stacked, so that one matrix product applies all of them.
 struct StackedIntegrals {
   explicit StackedIntegrals(const LobattoBasis::Integrals& integrals);
   Eigen::MatrixXd along_x;  ///< stiffness, mass, slope, slopeᵀ; 4(p + 1) × (p + 1)
@@ -43,12 +42,12 @@ struct StackedIntegrals {
 };
 
 /// An element's stiffness times the displacements u of its nodes, without forming the matrix: the
-/// Kronecker products act along x and z in turn. u and the forces returned are (p + 1) × 2(p + 1):
-/// component c of the node at step i along x and j along z at row i, column c(p + 1) + j.
+/// Kronecker products act along x and z in turn. u and the returned forces are (p + 1) × 2(p + 1)
+/// matrices: row i, column c(p + 1) + j is component c at the node at step i along x and j along z.
 Eigen::MatrixXd element_forces(const StackedIntegrals& integrals, const Lame& lame, double aspect,
                                const Eigen::MatrixXd& u);
 
-/// Which unknowns of an element lie on its edges and which inside, as indices into the above.
+/// The unknowns of an element on its edges and inside it, as indices into its stiffness.
 struct UnknownSplit {
   std::vector<int> edge;
   std::vector<int> interior;

@@ -19,7 +19,7 @@ std::vector<Index> select(const std::vector<Index>& numbers, const std::vector<i
   return selected;
 }
 
-// Whether the supports hold a displacement component of a node.
+// Whether the supports fix a displacement component of a node.
 bool is_held(const Mesh& mesh, const Supports& supports, Index node, int component) {
   const Eigen::Vector2<Index> step = mesh.grid_position(node);
   const auto holds = [](bool on_side, Support support, bool is_normal) {
@@ -68,8 +68,8 @@ std::vector<Index> Factorization::interior_unknowns(Index element) const {
   return select(model_->unknowns(element), model_->split().interior);
 }
 
-// Adds up S = Σ_e (K_ee − K_ei R), the condensed stiffness of the elements, on the unknowns that
-// are not held; its lower triangle.
+// Assembles the lower triangle of S = Σ_e (K_ee − K_ei R), the condensed stiffness, on the free
+// unknowns.
 Factorization::Matrix Factorization::assemble() const {
   std::vector<Eigen::Triplet<double, int>> triplets;
   for (Index e = 0; e < model_->mesh().n_elements(); ++e) {
@@ -92,7 +92,7 @@ Factorization::Matrix Factorization::assemble() const {
 }
 
 Solution Factorization::solve(const elasticity::Load& load) const {
-  // Solve, and refine once: it wins back the digits that the condensation of thin elements lost
+  // Solve, then refine once, which recovers the digits lost in condensing thin elements
   const Eigen::VectorXd forces = surface_forces(model_->mesh(), model_->basis(), load);
   Eigen::VectorXd displacements = Eigen::VectorXd::Zero(forces.size());
   Eigen::VectorXd residual = forces;
@@ -101,9 +101,9 @@ Solution Factorization::solve(const elasticity::Load& load) const {
     residual = forces - model_->internal_forces(displacements);  // r = f − K u
   }
 
-  // What is left on the held unknowns is what the supports carry; elsewhere only rounding may be
-  // left: 1e-10 of the load here, 1e-9 in a block 1e5 times as large as its smallest element. A
-  // factor that lost its digits leaves a good part of the load.
+  // The residual on the fixed unknowns is the reaction of the supports. Elsewhere it must be
+  // rounding: 1e-10 of the load here, 1e-9 in a block 1e5 times as large as its smallest element. A
+  // factor that lost its digits leaves much more.
   constexpr double max_unbalanced = 1e-6;
   Eigen::VectorXd reactions = -residual;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -112,8 +112,8 @@ Solution Factorization::solve(const elasticity::Load& load) const {
   const double unbalanced = (residual + reactions).norm() / forces.norm();
   if (!std::isfinite(unbalanced)) {
     throw FactorizationError(
-        "the solution is not a finite number: the sizes of the load, of the material's moduli or "
-        "of the block are beyond the range of a double");
+        "the solution is not a finite number: the load, the material's moduli or the size of the "
+        "block are beyond the range of a double");
   }
   if (unbalanced > max_unbalanced) {
     throw FactorizationError(fmt::format(
@@ -123,7 +123,7 @@ Solution Factorization::solve(const elasticity::Load& load) const {
   return {model_, std::move(displacements), forces, reactions};
 }
 
-// Adds up f_e − Rᵀf_i, element by element, on the condensed unknowns.
+// Assembles f_e − Rᵀf_i, element by element, on the condensed unknowns.
 Eigen::VectorXd Factorization::condensed_forces(const Eigen::VectorXd& forces) const {
   Eigen::VectorXd condensed = Eigen::VectorXd::Zero(matrix_.rows());
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -141,8 +141,8 @@ Eigen::VectorXd Factorization::condensed_forces(const Eigen::VectorXd& forces) c
   return condensed;
 }
 
-// Adds the displacements that the residual forces cause: on the edges by the factor, inside by
-// u_i = K_ii⁻¹ f_i − R u_e.
+// Adds the displacements due to the residual forces: on the edges from the factor, inside from u_i
+// = K_ii⁻¹ f_i − R u_e.
 void Factorization::correct(const Eigen::VectorXd& residual, Eigen::VectorXd& displacements) const {
   Eigen::VectorXd correction = Eigen::VectorXd::Zero(displacements.size());
   const Eigen::VectorXd condensed = factor_.solve(condensed_forces(residual));  // u_e

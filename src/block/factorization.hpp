@@ -20,16 +20,16 @@ namespace block {
 class Factorization {
  public:
   /// Assembles and factorises. Throws InvalidQuantity for supports that leave a rigid motion, and
-  /// FactorizationError where the matrix is not positive definite in floating point.
+  /// FactorizationError if the matrix is not positive definite in floating point.
   Factorization(std::shared_ptr<const Model> model, const Supports& supports);
 
   /// The displacement under a load on the top. Throws InvalidQuantity for a load outside the block
-  /// or concentrated, FactorizationError where the solution fails to satisfy its equations.
+  /// or a concentrated one, FactorizationError if the solution does not satisfy its equations.
   Solution solve(const elasticity::Load& load) const;
 
   const std::shared_ptr<const Model>& model() const { return model_; }
 
-  /// The displacement components that no support holds.
+  /// The number of displacement components that no support fixes.
   Index n_unknowns() const { return matrix_.rows() + n_free_interior_; }
 
  private:
@@ -43,7 +43,7 @@ class Factorization {
   void correct(const Eigen::VectorXd& residual, Eigen::VectorXd& displacements) const;
 
   std::shared_ptr<const Model> model_;
-  std::vector<int> numbers_;  // of the condensed unknowns, or one of the following
+  std::vector<int> numbers_;  // number of each condensed unknown, or one of the following
   static constexpr int held = -1, interior = -2;
   Index n_free_interior_ = 0;
   Matrix matrix_;

@@ -12,8 +12,8 @@ namespace block {
 namespace {
 
 // The roots of (1 − ξ²) P_p′(ξ) = p (P_{p−1} − ξ P_p), whose derivative is −p (p + 1) P_p. Newton's
-// method doubles the number of right digits in each step, so that eight steps reach rounding from
-// the cosine that is the first guess.
+// method doubles the number of correct digits in each step; from a cosine as the first guess, eight
+// steps reach rounding.
 Eigen::VectorXd lobatto_points(int p) {
   Eigen::VectorXd points(p + 1);
   for (int i = 0; i <= p; ++i) {

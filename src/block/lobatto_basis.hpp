@@ -14,11 +14,11 @@ struct GaussRule {
 /// The Gauss–Legendre rule of n ≥ 1 points, exact for polynomials of degree 2n − 1.
 GaussRule gauss_rule(int n);
 
-/// Lagrange polynomials N₀ … N_p on [−1, 1] through the p + 1 Gauss–Lobatto points, which are ±1
-/// and the extremes of Legendre's polynomial P_p between.
+/// Lagrange polynomials N₀ … N_p on [−1, 1] through the p + 1 Gauss–Lobatto points: ±1 and the
+/// interior extremes of Legendre's polynomial P_p.
 ///
-/// Such nodes keep the basis well conditioned for every order used here, and the end nodes make
-/// neighbouring elements meet. All members are exact to some 1e-15·p².
+/// These nodes keep the basis well conditioned for every order used here, and the end nodes make
+/// neighbouring elements conform. All members are accurate to about 1e-15·p².
 class LobattoBasis {
  public:
   /// order p ≥ 1.
@@ -30,12 +30,12 @@ class LobattoBasis {
   /// N_i(ξ), i = 0 … p, by the barycentric formula.
   Eigen::VectorXd values(double xi) const;
 
-  /// N_i(ξ_k) as an array of points × (p + 1), and dN_i/dξ(ξ_k) likewise, which is exact because
-  /// each N_i is a polynomial that its nodal values determine.
+  /// N_i(ξ_k) as a matrix of points × (p + 1), and dN_i/dξ(ξ_k) likewise; the derivatives are exact
+  /// because its nodal values determine each polynomial N_i.
   Eigen::MatrixXd values_at(const Eigen::VectorXd& points) const;
   Eigen::MatrixXd derivatives_at(const Eigen::VectorXd& points) const;
 
-  /// The integrals that every rectangular element is made of, each (p + 1) × (p + 1), exact.
+  /// The integrals that make up every rectangular element, each (p + 1) × (p + 1), exact.
   struct Integrals {
     Eigen::MatrixXd mass;       ///< ∫ N_i N_j dξ
     Eigen::MatrixXd stiffness;  ///< ∫ N_i′ N_j′ dξ

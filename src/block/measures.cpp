@@ -13,7 +13,7 @@
 namespace block {
 namespace {
 
-// What a maximum is sought of: the greatest magnitude, the greatest or the least value.
+// The kind of extreme: the greatest magnitude, the greatest value or the least value.
 enum class Extreme { magnitude, greatest, least };
 
 struct Quantity {
@@ -36,8 +36,8 @@ constexpr std::array<Quantity, 11> quantities = {{
     {"min_stress_prin", Extreme::least, true},
 }};
 
-// The quantities at one point. Here z points down and y out of the plane; there y points up and z
-// out of the plane, so that the shear changes its sign.
+// The quantities at one point. Here z points down and y out of the plane; in Appendix 2 y points up
+// and z out of the plane, so the shear changes sign.
 std::array<double, quantities.size()> values_of(const PointState& state, double nu) {
   const elasticity::Stress& s = state.stress;
   const auto principal = s.principal(nu);
@@ -65,7 +65,7 @@ struct Best {
   double value = 0;
   double rank = -std::numeric_limits<double>::infinity();
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  Eigen::Vector2d spacing = Eigen::Vector2d::Zero();  // of the points that were looked at around
+  Eigen::Vector2d spacing = Eigen::Vector2d::Zero();  // of the samples around it
 };
 
 class Search {
@@ -90,9 +90,8 @@ class Search {
                        [&](const Disc& disc) { return disc.holds(position); });
   }
 
-  // Takes the state if it is better. The two sides of a symmetric block agree but for rounding, and
-  // the left one is taken, so that the sign of an antisymmetric quantity does not depend on
-  // rounding.
+  // Keeps the state if it is better. The two sides of a symmetric block agree to rounding; taking
+  // the left one keeps the sign of an antisymmetric quantity independent of rounding.
   void offer(const PointState& state, const Eigen::Vector2d& spacing) {
     const bool has_stress = !is_left_out(state.position);
     const auto values = values_of(state, nu_);
@@ -121,7 +120,9 @@ class Search {
   void sample_circle(const Disc& disc) {
     constexpr int n_points = 800;
     for (int i = 0; i < n_points; ++i) {
-      const double angle = 2 * std::numbers::pi * i / n_points;
+      // Between the axes: on the line between two elements the stress is that of the right one,
+      // which would make the two sides of a symmetric block differ.
+      const double angle = 2 * std::numbers::pi * (i + 0.5) / n_points;
       const double outside = disc.radius * (1 + 1e-12);
       const Eigen::Vector2d position(disc.x + outside * std::cos(angle),
                                      disc.z + outside * std::sin(angle));
@@ -139,7 +140,7 @@ class Search {
     return solution_.at(position.x(), position.y());
   }
 
-  // Steps from the best point to a better neighbour as long as there is one, in ever smaller steps.
+  // Moves from the best point to a better neighbour while there is one, in ever smaller steps.
   void climb(std::size_t q) {
     Best& best = best_[q];
     for (double size = 0.5; size > 1e-3;) {

@@ -10,8 +10,8 @@
 namespace block {
 namespace {
 
-// Returns the interval of `lines` that holds `value`, and the place of the value in it, from −1
-// to 1.
+// Returns the interval of `lines` that contains `value`, and the value's position in it, from −1 to
+// 1.
 std::pair<Index, double> locate_between(const char* quantity, const std::vector<double>& lines,
                                         double value) {
   if (!(value >= lines.front() && value <= lines.back())) {
@@ -22,13 +22,11 @@ std::pair<Index, double> locate_between(const char* quantity, const std::vector<
   return {above - lines.begin() - 1, 2 * (value - begin) / (*above - begin) - 1};
 }
 
-// Returns the distances of the boundaries from a graded end, of which the first is `smallest` and
-// the last `length`.
+// Returns the distances of the boundaries from a graded end, from `smallest` to `length`.
 std::vector<double> graded_distances(double smallest, double length, double ratio) {
   if (smallest >= length) return {length};
   const double exact = std::log(smallest / length) / std::log(ratio);
-  // The end is taken a little before `length`, so that rounding does not add a layer to one of two
-  // equal halves.
+  // Round up from a little less, so that rounding does not add a layer to one of two equal halves.
   const int n_layers = static_cast<int>(std::ceil(exact - 1e-9));
   std::vector<double> distances;
   for (int k = n_layers; k >= 0; --k) {

@@ -9,7 +9,7 @@ namespace block {
 /// The index of a node, element or unknown.
 using Index = Eigen::Index;
 
-/// A point inside an element: the element's index, and ξ, ζ in [−1, 1] along x and z.
+/// A point inside an element: the element's index and ξ, ζ in [−1, 1] along x and z.
 struct LocalPoint {
   Index element;
   double xi;
@@ -29,11 +29,11 @@ struct Element {
 
 /// A structured mesh of rectangles: every column of elements meets every row.
 ///
-/// The nodes are the Gauss–Lobatto points of each element and form a grid too, numbered along x
-/// first; so are the elements. z = z_lines.front() is the loaded top.
+/// The nodes are the Gauss–Lobatto points of each element and also form a grid. Nodes and elements
+/// are numbered along x first. z = z_lines.front() is the loaded top.
 class Mesh {
  public:
-  /// order ≥ 1; each of the lines rises strictly and has two entries or more.
+  /// order ≥ 1; x_lines and z_lines rise strictly and have two entries or more.
   Mesh(int order, std::vector<double> x_lines, std::vector<double> z_lines);
 
   int order() const { return order_; }
@@ -52,13 +52,13 @@ class Mesh {
   /// The node at step i along x and j along z, each 0 … order, of an element.
   Index node(const Element& element, int i, int j) const;
 
-  /// The node's place in the grid of nodes: (step along x, step along z).
+  /// The node's position in the grid of nodes: (step along x, step along z).
   Eigen::Vector2<Index> grid_position(Index node) const;
 
   /// Whether the node lies inside an element and touches no other.
   bool is_interior(Index node) const;
 
-  /// The element that holds (x, z), on a common edge the one on the right or below. Throws
+  /// The element that contains (x, z); on a common edge, the one on the right or below. Throws
   /// InvalidQuantity for a point outside the block.
   LocalPoint locate(double x, double z) const;
 
@@ -68,7 +68,7 @@ class Mesh {
   std::vector<double> z_lines_;
 };
 
-/// A point of a line towards which the mesh becomes finer, and the size of the elements beside it.
+/// A point towards which the mesh becomes finer, and the size of the elements beside it.
 struct GradedPoint {
   double position;
   double smallest;  ///< length of the element on either side, > 0
@@ -76,12 +76,11 @@ struct GradedPoint {
 
 /// The element boundaries of a line that is graded geometrically towards each of `points`.
 ///
-/// Between neighbouring points the line is halved and each half graded to its end: the element
-/// beside the end is `smallest` long (or the whole half, if that is shorter) and the distance of
-/// the boundaries from the end grows by at most 1/ratio, 0 < ratio < 1, from each to the next. A
-/// point singularity then has the same strength, seen from any element, which lets high order
-/// converge exponentially. `points` rise strictly, two or more; they are the line's ends and what
-/// is between.
+/// The line between neighbouring points is halved and each half graded towards its point: the
+/// element beside it is `smallest` long (or the whole half, if that is shorter), and the distances
+/// of successive boundaries grow by at most the factor 1/ratio, 0 < ratio < 1. A point singularity
+/// then has the same relative strength in every element, so that high order converges
+/// exponentially. `points`, two or more, rise strictly and include the ends of the line.
 std::vector<double> graded_lines(const std::vector<GradedPoint>& points, double ratio);
 
 }  // namespace block

@@ -12,11 +12,11 @@
 
 namespace block {
 
-/// A meshed block of one material, its element stiffnesses condensed to the element edges.
+/// A meshed block of one material, with element stiffnesses condensed to the element edges.
 ///
-/// It holds what no support and no load changes, computed once and shared by all of them. The whole
-/// block is modelled and never half of it, so that all loads are treated alike and a test can ask
-/// whether a result is symmetric. The object never changes and is shared by pointer.
+/// It contains everything that is independent of supports and loads, computed once. The whole block
+/// is modelled, never half of it, so that all loads are treated alike and a test can check
+/// symmetry. The object is immutable and shared by pointer.
 class Model {
  public:
   /// Computes and condenses the stiffness of every element. Throws FactorizationError as condense.
@@ -32,10 +32,10 @@ class Model {
   /// The global numbers 2·node + c of an element's unknowns, in the order of its stiffness.
   std::vector<Index> unknowns(Index element) const;
 
-  /// The nodal forces Ku that displacements u call for, both of size 2·n_nodes.
+  /// The nodal forces Ku for displacements u, both of size 2·n_nodes.
   ///
-  /// Each element's mean translation is taken off first: it strains nothing, and the digits it
-  /// would cost are those that the equilibrium of thin elements needs.
+  /// Each element's mean translation, which causes no strain, is subtracted first: it would cost
+  /// digits that the equilibrium of thin elements needs.
   Eigen::VectorXd internal_forces(const Eigen::VectorXd& displacements) const;
 
  private:
@@ -46,7 +46,7 @@ class Model {
   LobattoBasis::Integrals integrals_;
   StackedIntegrals stacked_;
   UnknownSplit split_;
-  std::vector<std::shared_ptr<const CondensedStiffness>> condensed_;  // one for all of one aspect
+  std::vector<std::shared_ptr<const CondensedStiffness>> condensed_;  // shared by equal aspects
 };
 
 }  // namespace block

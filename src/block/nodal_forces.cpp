@@ -31,8 +31,8 @@ Eigen::VectorXd edge_forces(const LobattoBasis& basis, const Element& element,
 void require_inside(const elasticity::Load& load, double left, double right) {
   if (!load.forces.empty()) {
     throw sys::InvalidQuantity("concentrated force", load.forces.front().magnitude,
-                               "absent: spread it over a width, under it a continuum "
-                               "displaces infinitely");
+                               "absent: under it the displacement is infinite; spread it "
+                               "over a width");
   }
   for (const numerics::Piece& piece : load.normal.pieces()) {
     if (piece.begin < left) {
@@ -48,8 +48,8 @@ Eigen::VectorXd surface_forces(const Mesh& mesh, const LobattoBasis& basis,
                                const elasticity::Load& load) {
   require_inside(load, mesh.x_lines().front(), mesh.x_lines().back());
 
-  // In t the integrand has three times the degree of N_i and of a quartic pressure, and two more
-  // for dx/dt; a rule of n points is exact to degree 2n − 1
+  // In t the integrand has three times the degree of N_i and of a quartic pressure, plus two from
+  // dx/dt; a rule of n points is exact to degree 2n − 1
   const GaussRule rule = gauss_rule(2 * mesh.order() + 10);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * mesh.n_nodes());
   for (Index column = 0; column < mesh.n_columns(); ++column) {

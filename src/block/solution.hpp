@@ -10,14 +10,14 @@
 
 namespace block {
 
-/// What the block does at one point.
+/// Displacement and stress at one point of the block.
 struct PointState {
   Eigen::Vector2d position;      ///< x, z
   Eigen::Vector2d displacement;  ///< u_x, u_z; u_z positive into the body
   elasticity::Stress stress;
 };
 
-/// Coordinates ξ_k in [−1, 1] of elements, and the basis there: what sampling costs but once.
+/// Coordinates ξ_k in [−1, 1] of elements and the basis there, computed once for many samples.
 struct Abscissae {
   Abscissae(const LobattoBasis& basis, const Eigen::VectorXd& points);
   Eigen::VectorXd points;
@@ -25,33 +25,33 @@ struct Abscissae {
   Eigen::MatrixXd derivatives;  ///< dN_i/dξ(ξ_k)
 };
 
-/// The displacement of the whole block under one load, and all that follows from it.
+/// The displacement of the whole block under one load, and the quantities derived from it.
 class Solution {
  public:
-  /// Three vectors of size 2·n_nodes: displacements, the nodal forces of the load, and those of the
-  /// supports on the nodes they hold.
+  /// Three vectors of size 2·n_nodes: displacements, the nodal forces of the load, and the
+  /// reactions of the supports.
   Solution(std::shared_ptr<const Model> model, Eigen::VectorXd displacements,
            const Eigen::VectorXd& load, const Eigen::VectorXd& reactions);
 
   const Model& model() const { return *model_; }
 
-  /// u = Σ N_i u_i at any point of the block; InvalidQuantity is thrown for one outside.
+  /// u = Σ N_i u_i at any point of the block. Throws InvalidQuantity for a point outside.
   Eigen::Vector2d displacement(double x, double z) const { return at(x, z).displacement; }
 
-  /// Displacement and stress at any point of the block. Stresses jump from element to element by
-  /// their own discretisation error; on an edge the element on the right or below is taken.
-  /// InvalidQuantity is thrown outside.
+  /// Displacement and stress at any point of the block. Stresses jump between elements by their
+  /// discretisation error; on an edge, the result is that of the element on the right or below.
+  /// Throws InvalidQuantity for a point outside.
   PointState at(double x, double z) const;
 
   /// The states at all points (ξ_k, ζ_l) of one element, k fastest.
   std::vector<PointState> sample(Index element, const Abscissae& xi, const Abscissae& zeta) const;
 
-  /// ½∫ σ·ε dx dz, energy per unit thickness: half of what the load does on its way.
+  /// ½∫ σ·ε dx dz, energy per unit thickness: half the load times the displacement.
   double strain_energy() const { return strain_energy_; }
 
-  /// The force of the load, and that of the supports, Ku − f summed over the held unknowns: (x, z)
-  /// per unit thickness. Nothing but the accuracy of the solution, better than 1e-10, makes them
-  /// balance.
+  /// The force of the load and that of the supports, Ku − f summed over the fixed unknowns: (x, z)
+  /// per unit thickness. They are computed independently and balance to the accuracy of the
+  /// solution, better than 1e-10.
   const Eigen::Vector2d& applied() const { return applied_; }
   const Eigen::Vector2d& reaction() const { return reaction_; }
 

@@ -18,8 +18,8 @@ bool ContactSearch::revise(ContactMask& in_contact, const Eigen::VectorXd& phi,
   }
   if (n_wrong == 0) return true;
 
-  // Change only the last of them where changing all has not made them fewer for a while, because
-  // such a search must end
+  // If changing all of them has not reduced their number for a while, change only the last one,
+  // because such a search always ends
   if (n_wrong < fewest_wrong_) {
     fewest_wrong_ = n_wrong;
     patience_ = max_patience;

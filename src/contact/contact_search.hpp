@@ -8,7 +8,7 @@
 
 namespace contact {
 
-/// A contact that was not solved. what() says why and what would help.
+/// A contact that was not solved. what() gives the reason and a remedy.
 class ContactError : public sys::ComputationError {
  public:
   using ComputationError::ComputationError;
@@ -17,16 +17,16 @@ class ContactError : public sys::ComputationError {
 /// Which nodes are in contact.
 using ContactMask = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
-/// Looks for the nodes in contact: those in tension leave it, those that penetrate enter it.
+/// Finds the nodes in contact: those in tension leave it, those that penetrate enter it.
 ///
-/// All that are wrong change at once, as long as that makes them fewer (block principal pivoting,
-/// Júdice & Pires 1994, Computers Oper. Res. 21, 587); when it has failed to for a while, only the
-/// last of them changes, which for a positive definite matrix ends after finitely many revisions
-/// (Murty 1974). So the search cannot run in circles.
+/// All wrong nodes change at once as long as their number falls (block principal pivoting, Júdice &
+/// Pires 1994, Computers Oper. Res. 21, 587). When it has not fallen for a while, only the last of
+/// them changes, which ends after finitely many revisions if the matrix is positive definite (Murty
+/// 1974). The search therefore cannot cycle.
 class ContactSearch {
  public:
-  /// Revises `in_contact` in view of the element loads φ and gaps that were solved for it. Returns
-  /// whether nothing had to be changed; penetration up to smallest_gap is none.
+  /// Revises `in_contact` given the element loads φ and the gaps found for it. Returns true if no
+  /// node had to change; penetration up to smallest_gap is ignored.
   bool revise(ContactMask& in_contact, const Eigen::VectorXd& phi, const Eigen::VectorXd& gap,
               double smallest_gap);
 
@@ -36,7 +36,7 @@ class ContactSearch {
   int patience_ = max_patience;
 };
 
-/// A search gives up after this many revisions.
+/// A search fails after this many revisions.
 inline constexpr int max_revisions = 1000;
 
 }  // namespace contact

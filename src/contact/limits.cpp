@@ -11,7 +11,7 @@
 namespace contact {
 namespace {
 
-// With so many nodes across, errors of second order are below half a per cent.
+// With this many nodes across, the second-order error is below half a per cent.
 constexpr double enough_across = 20;
 
 }  // namespace
@@ -20,7 +20,7 @@ double require_tolerance(double tolerance, double least) {
   constexpr double too_large = 0.01;
   if (!(tolerance >= least && tolerance <= too_large)) {
     throw sys::InvalidQuantity("tolerance", tolerance,
-                               fmt::format("from {}, which is rounding, to {}", least, too_large));
+                               fmt::format("from {}, the rounding error, to {}", least, too_large));
   }
   return tolerance;
 }
@@ -30,7 +30,7 @@ void require_resolved(const Resolution& resolution) {
   const double finer = enough_across / std::max(resolution.n_across, 1.0);
   throw sys::InvalidQuantity(
       "number of nodes in contact", static_cast<double>(resolution.n_in_contact),
-      fmt::format("{} or more: take at least {:.0f} nodes in place of {}, or a domain of {:.2g} or "
+      fmt::format("{} or more: use at least {:.0f} nodes instead of {}, or a domain of {:.2g} or "
                   "less",
                   least_nodes_in_contact, finer * static_cast<double>(resolution.n_nodes),
                   resolution.n_nodes, resolution.domain / finer));
@@ -44,8 +44,9 @@ double relative_error(const Resolution& resolution) {
 std::string resolution_warning(const Resolution& resolution) {
   if (resolution.n_across >= enough_across) return "";
   return fmt::format(
-      "{:.2g} nodes lie across the contact: its width and its greatest pressure are right to about "
-      "{:.1g} %; more nodes or a narrower domain make them better",
+      "only {:.2g} nodes lie across the contact, so its width and peak pressure are accurate to "
+      "about "
+      "{:.1g} %; use more nodes or a narrower domain",
       resolution.n_across, 100 * relative_error(resolution));
 }
 

@@ -88,8 +88,8 @@ ContactLoads invert(const Equations& equations, const Influence& influence) {
   return loads;
 }
 
-// Steps along conjugate directions on the nodes that carry; a node that would be in tension is set
-// to zero, one without pressure that penetrates begins to carry, and the load is made P again.
+// Steps along conjugate directions over the loaded nodes. After each step, nodes in tension are set
+// to zero, unloaded nodes that penetrate are loaded, and the total load is restored.
 ContactLoads minimise(const Equations& equations,
                       const std::function<void(const VectorXd& phi, VectorXd& u)>& displace,
                       double tolerance, int max_products) {
@@ -119,7 +119,7 @@ ContactLoads minimise(const Equations& equations,
       return loads;
     }
 
-    // Step along the next conjugate direction, and take tension away
+    // Step along the next conjugate direction, then remove tension
     const double square = (carrying * gap.array().square()).sum();   // ρ = (g, g)
     const double factor = is_conjugate ? square / previous : 0;      // β = ρ / ρ_old
     direction = (carrying > 0).select(gap + factor * direction, 0);  // d = g + β d
@@ -129,7 +129,7 @@ ContactLoads minimise(const Equations& equations,
     const double step = direction.dot(gap) / direction.dot(change);    // α = (d, g) / (d, q)
     phi = (phi - step * direction).cwiseMax(0);                        // φ = max(φ − α d, 0)
 
-    // Let nodes that penetrate begin to carry, φ = −α g; the directions then start again
+    // Load the nodes that penetrate, φ = −α g; the directions then start afresh
     is_conjugate = true;
     for (Index i = 0; i < phi.size(); ++i) {
       if (phi[i] > 0 || gap[i] >= 0) continue;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two methods that know nothing of the bodies: what they solve may be a contact of lines or of
-// points.
+// Two methods that are independent of the bodies: they solve line and point contacts alike.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,39 +7,40 @@
 
 namespace contact {
 
-/// A frictionless contact as equations with coefficients of order one. Nodal loads φ_j ≥ 0 carry
-/// Σ φ_j = total and leave the gaps g = h − δ − Tφ ≥ 0; at each node one of the two is 0.
+/// A frictionless contact as equations with coefficients of order one. The nodal loads φ_j ≥ 0 add
+/// up to `total` and leave the gaps g = h − δ − Tφ ≥ 0; at each node φ or g is 0.
 struct Equations {
   Eigen::VectorXd initial_gap;  ///< h, less than 1e100
   double total;
-  double smallest_gap = 0;  ///< what rounding leaves of a gap in contact
+  double smallest_gap = 0;  ///< the rounding error of a gap in contact
 };
 
-/// What a method finds.
+/// The solution that a method finds.
 struct ContactLoads {
   Eigen::VectorXd phi;
   Eigen::VectorXd gap;
   double approach = 0;  ///< δ
   double misfit = 0;    ///< greatest |gap| in contact
-  int solves = 0;       ///< of the linear system
-  int products = 0;     ///< with T
+  int solves = 0;       ///< solutions of the linear system
+  int products = 0;     ///< products with T
 };
 
-/// Matrix inversion: eq. (1a) at the nodes in contact and equilibrium are one linear system; nodes
-/// in tension leave the contact, nodes that penetrate enter it, until neither occurs. It begins
-/// with every node in contact. Cost n³ for n nodes.
+/// Matrix inversion: solves eq. (1a) at the nodes in contact, with equilibrium, as one linear
+/// system. Starts with every node in contact; nodes in tension leave the contact and nodes that
+/// penetrate enter it until neither occurs. Cost n³ for n nodes.
 ///
-/// T(i, j) is −1 times the displacement at node i by the load 1 of element j. Throws ContactError
-/// when the contact does not settle.
+/// T(i, j) is minus the displacement at node i due to a unit load on element j. Throws ContactError
+/// if the contact does not settle.
 ContactLoads invert(const Equations& equations,
                     const std::function<double(Eigen::Index i, Eigen::Index j)>& influence);
 
-/// The variational method: of all φ ≥ 0 that carry the total the one with the least energy
-/// −½ φᵀTφ + hᵀφ (Kalker 1972; Johnson 5.9), by the constrained conjugate gradients of Polonsky &
-/// Keer (1999), Wear 231, 206. No contact is assumed or searched for.
+/// The variational method: among all φ ≥ 0 that carry the total, finds the one of least energy −½
+/// φᵀTφ + hᵀφ (Kalker 1972; Johnson 5.9), by the constrained conjugate gradients of Polonsky & Keer
+/// (1999), Wear 231, 206. It assumes no contact and searches for none.
 ///
-/// `displace` sets u = −Tφ. It ends when no gap in contact and no penetration exceed smallest_gap
-/// or tolerance·max φ, and throws ContactError where that takes more than so many products.
+/// `displace` sets u = −Tφ. The iteration ends when no gap in contact and no penetration exceeds
+/// the greater of smallest_gap and tolerance·max φ. Throws ContactError if that takes max_products
+/// products or more.
 ContactLoads minimise(
     const Equations& equations,
     const std::function<void(const Eigen::VectorXd& phi, Eigen::VectorXd& u)>& displace,

@@ -10,7 +10,7 @@ namespace {
 
 double off_the_force(const char* quantity, double x) {
   if (sys::require_finite(quantity, x) == 0) {
-    throw sys::InvalidQuantity(quantity, x, "off the concentrated force");
+    throw sys::InvalidQuantity(quantity, x, "away from the concentrated force");
   }
   return x;
 }

@@ -9,7 +9,7 @@ namespace elasticity {
 /// A concentrated normal force P per unit length at x = 0.
 class ConcentratedLoad {
  public:
-  /// line_load P > 0 (force per unit length), or InvalidQuantity is thrown.
+  /// line_load P (force per unit length). Throws InvalidQuantity unless P > 0.
   explicit ConcentratedLoad(double line_load);
 
   double line_load() const { return line_load_; }

@@ -6,10 +6,11 @@
 namespace elasticity {
 namespace {
 
-// From here on, five terms of the series in 1/ξ² are right to rounding.
+// From here on, five terms of the series in 1/ξ² are accurate to rounding.
 constexpr double far = 16;
 
-// From here on, logarithms of 1 − η² and (1+η)/(1−η), η = 1/ξ, cancel by a factor 3 at most.
+// From here on, cancellation between the logarithms of 1 − η² and (1+η)/(1−η), η = 1/ξ, costs at
+// most a factor of 3.
 constexpr double outside = 2;
 
 double times_log(double t) {
@@ -34,9 +35,9 @@ double strip_beyond_logarithm(double xi) {
 
 }  // namespace
 
-// Under the triangle all terms of (ξ+1)² ln(ξ+1) + (1−ξ)² ln(1−ξ) − 2ξ² ln ξ are of the order of 1.
-// Outside the large logarithms are taken out by hand: with η = 1/ξ the bracket is
-// 2 ln ξ + [(1+η)² ln(1+η) + (1−η)² ln(1−η)]/η².
+// Under the triangle all terms of (ξ+1)² ln(ξ+1) + (1−ξ)² ln(1−ξ) − 2ξ² ln ξ are of order 1.
+// Outside, the large logarithms are separated analytically: with η = 1/ξ the bracket is 2 ln ξ +
+// [(1+η)² ln(1+η) + (1−η)² ln(1−η)]/η².
 double triangle_potential(double xi) {
   xi = std::abs(xi);
   if (xi >= far) return std::log(xi) + triangle_beyond_logarithm(xi);
@@ -52,11 +53,11 @@ double triangle_potential(double xi) {
 double triangle_gradient(double xi) {
   if (xi < 0) return -triangle_gradient(-xi);
   if (xi < outside) {
-    // log1p keeps the digits of a small ξ, where the first two terms are ±ξ
+    // For small ξ the first two terms are ±ξ, whose digits log1p preserves
     const double below = xi == 1 ? 0 : (1 - xi) * (xi < 1 ? std::log1p(-xi) : std::log(xi - 1));
     return (1 + xi) * std::log1p(xi) - below - 2 * times_log(xi);
   }
-  constexpr double negligible_squared = 1e-8;  // the square is lost beside 1
+  constexpr double negligible_squared = 1e-8;  // 1 + η² rounds to 1
   const double eta = 1 / xi;
   if (eta < negligible_squared) return eta;
   return (std::log1p(-eta * eta) + 2 * eta * std::atanh(eta)) / eta;

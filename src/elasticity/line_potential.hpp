@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one integral of plane contact: the logarithmic potential of a pressure on the surface, for a
-// triangle of pressure and for a strip of uniform pressure. The closed forms of these loads and the
-// influence coefficients of elements are made of it.
+// The basic integral of plane contact: the logarithmic potential of a pressure on the surface, for
+// a triangle and for a uniform strip. The closed forms of these loads and the influence
+// coefficients of the elements follow from it.
 //
-// ξ is the distance from the middle of the pressure. Every function takes any finite ξ.
+// ξ is the distance from the middle of the load. Every function takes any finite ξ unless it states
+// otherwise.
 #pragma once
 
 namespace elasticity {
 
-/// Φ(ξ) = ∫ (1−|σ|) ln|ξ−σ| dσ from −1 to 1, the potential of a triangle of height 1:
+/// Φ(ξ) = ∫₋₁¹ (1−|σ|) ln|ξ−σ| dσ, the potential of a triangle of height 1:
 ///
 ///   Φ(ξ) = ½[(ξ+1)² ln|ξ+1| − 2ξ² ln|ξ| + (ξ−1)² ln|ξ−1|] − 3/2,  Φ(0) = −3/2, Φ → ln|ξ|.
 ///
@@ -19,8 +20,8 @@ double triangle_potential(double xi);
 /// relative.
 double triangle_gradient(double xi);
 
-/// Φ(ξ+1) − Φ(ξ) for ξ ≥ 0. Accuracy: 1e-14 relative, where a difference of potentials would lose a
-/// digit for each digit of ξ.
+/// Φ(ξ+1) − Φ(ξ) for ξ ≥ 0. Accuracy: 1e-14 relative; subtracting two potentials would lose one
+/// digit per digit of ξ.
 double triangle_rise(double xi);
 
 /// Ψ(ξ) = ∫ ln|ξ−σ| dσ from −½ to ½, the potential of a strip of width and height 1:

@@ -15,10 +15,10 @@ struct LineForce {
   double magnitude;  ///< P, force per unit length, positive into the body
 };
 
-/// What presses on the surface of a body without friction: any pressure p(s), a stress, and
-/// concentrated forces.
+/// A frictionless load on the surface of a body: any pressure p(s), a stress, and concentrated
+/// forces.
 ///
-/// The named loads of the paper convert to this; an arbitrary one is made by distributed_load.
+/// The paper's named loads convert to it; distributed_load makes an arbitrary one.
 struct Load {
   numerics::PiecewiseFunction normal;
   std::vector<LineForce> forces = {};
@@ -28,18 +28,18 @@ struct Load {
 ///
 /// `breakpoints` (at least two, rising) are the ends of the load and every kink between them; p is
 /// smooth between and continuous across them. Throws InvalidQuantity for breakpoints out of order
-/// and a pressure that is not finite there.
+/// and for a pressure that is not finite there.
 Load distributed_load(const std::function<double(double)>& pressure,
                       const std::vector<double>& breakpoints);
 
-/// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) of a half-space's surface: Johnson (2.25a) with q = 0; at a jump
-/// the mean of both sides. Dimensionless; any finite x.
+/// ∂u_x/∂x = −[(1−2ν)(1+ν)/E] p(x) at the surface of a half-space: Johnson (2.25a) with q = 0; at a
+/// jump, the mean of both sides. Dimensionless; any finite x.
 double tangential_gradient(const Material& material, const Load& load, double x);
 
-/// What loads on |x| ≤ a with a greatest pressure share.
+/// The common base of loads on |x| ≤ a with a peak pressure p₀.
 class PeakedLoad {
  public:
-  /// peak_pressure p₀ (stress) and half_width a (length), both > 0, or InvalidQuantity is thrown.
+  /// peak_pressure p₀ (stress), half_width a (length). Throws InvalidQuantity unless both are > 0.
   PeakedLoad(double peak_pressure, double half_width);
 
   double peak_pressure() const { return peak_pressure_; }

@@ -11,8 +11,8 @@
 namespace elasticity {
 namespace {
 
-// Returns (1 − e) of a function of the triangle and e of that of the uniform load. Under a triangle
-// alone the uniform one is not asked, whose gradient is infinite at the edge.
+// Returns (1 − e) f(triangle) + e f(uniform load). For e = 0 the uniform load, whose gradient is
+// infinite at the edge, is not evaluated.
 template <class Function>
 double superposed(const LinearFall& load, const Function& function) {
   const double e = load.edge_fraction();
@@ -35,10 +35,11 @@ double normal_gradient(const Material& material, const UniformLoad& load, double
   const double a = load.half_width();
   const double distance = std::abs(sys::require_finite("x", x));
   if (distance == a) {
-    throw sys::InvalidQuantity("x", x, "off the edge of the load, where the gradient is infinite");
+    throw sys::InvalidQuantity("x", x,
+                               "away from the edge of the load, where the gradient is infinite");
   }
-  // ln|(x+a)/(x−a)| = 2 artanh of the smaller of x/a and a/x; near the edge the plain form is
-  // exact.
+  // ln|(x+a)/(x−a)| = 2 artanh of the smaller of x/a and a/x; near the edge the logarithm itself is
+  // accurate.
   const double ratio = distance < a ? distance / a : a / distance;
   const double logarithm =
       ratio < 0.5 ? 2 * std::atanh(ratio) : std::log((distance + a) / std::abs(distance - a));

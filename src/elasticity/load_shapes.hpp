@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes of a pressure on |x| ≤ a with closed forms. (The paper's triangle and a concentrated force
-// have files of their own.)
+// Pressures on |x| ≤ a with closed forms. (The paper's triangle and the concentrated force have
+// separate files.)
 #pragma once
 
 #include "elasticity/load.hpp"
@@ -22,8 +22,8 @@ class UniformLoad : public PeakedLoad {
 /// ∂u_z/∂x = −[2(1−ν²)p₀/(πE)] ln|(x + a)/(x − a)| under a uniform load (eq. 2; Johnson, section
 /// 2.5, derived).
 ///
-/// Dimensionless. Throws InvalidQuantity at x = ±a, where the gradient is infinite: the step in
-/// traction that the paper holds against uniform elements. Accuracy: 1e-14 relative.
+/// Dimensionless. Throws InvalidQuantity at x = ±a, where the gradient is infinite because of the
+/// step in traction for which the paper rejects uniform elements. Accuracy: 1e-14 relative.
 double normal_gradient(const Material& material, const UniformLoad& load, double x);
 
 /// u_z = −(1−ν²)p₀/(πE) [(x+a) ln((x+a)/a)² − (x−a) ln((x−a)/a)²] + C with u_z(datum) = 0 (Johnson,
@@ -33,15 +33,15 @@ double normal_gradient(const Material& material, const UniformLoad& load, double
 double normal_displacement(const Material& material, const UniformLoad& load, double x,
                            double datum);
 
-/// u_x = −[(1−2ν)(1+ν)/E] p₀ x under the load, outside as at the edge: Johnson (2.24a) with q = 0.
-/// A length, positive along x; any finite x.
+/// u_x = −[(1−2ν)(1+ν)/E] p₀ x under the load; outside it keeps its value at the edge. Johnson
+/// (2.24a) with q = 0. A length, positive along x; any finite x.
 double tangential_displacement(const Material& material, const UniformLoad& load, double x);
 
 /// p(x) = p₀·[1 − (1 − e)|x|/a]: a pressure that falls linearly from its peak in the middle to the
-/// fraction e of it at the edges. e = 0 is the triangle of eq. (4), 1 is uniform.
+/// fraction e of it at the edges. e = 0 gives the triangle of eq. (4), e = 1 a uniform load.
 class LinearFall : public PeakedLoad {
  public:
-  /// p₀ (stress) and a (length) > 0, e ≥ 0; InvalidQuantity is thrown otherwise.
+  /// Throws InvalidQuantity unless p₀ (stress) and a (length) are > 0 and e ≥ 0.
   LinearFall(double peak_pressure, double edge_fraction, double half_width);
 
   double edge_fraction() const { return edge_fraction_; }
@@ -55,8 +55,9 @@ class LinearFall : public PeakedLoad {
   double edge_fraction_;
 };
 
-/// The surface under a linear fall is that under (1 − e) triangles and e uniform loads. Units,
-/// domains and accuracy as theirs; the gradient is infinite at x = ±a unless e = 0.
+/// Displacements and gradients under a linear fall: (1 − e) times those of the triangle plus e
+/// times those of the uniform load, with their units, domains and accuracy. The gradient is
+/// infinite at x = ±a unless e = 0.
 double normal_gradient(const Material& material, const LinearFall& load, double x);
 double normal_displacement(const Material& material, const LinearFall& load, double x,
                            double datum);

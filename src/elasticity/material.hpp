@@ -5,7 +5,7 @@ namespace elasticity {
 
 /// An isotropic elastic material in plane strain.
 ///
-/// Units: any coherent system; young has the unit of a stress (psi, MPa, Pa).
+/// Units: any coherent system; young is a stress (psi, MPa, Pa).
 class Material {
  public:
   /// Throws InvalidQuantity unless young > 0 is finite and −1 < poisson < 1/2.
@@ -25,12 +25,12 @@ class Material {
   double poisson_;
 };
 
-/// The contact modulus E* of two materials, 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂ (Johnson 4.22); unit
-/// of a stress.
+/// The contact modulus E* of two materials, 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂ (Johnson 4.22); a
+/// stress.
 double contact_modulus(const Material& first, const Material& second);
 
-/// Dundurs' second constant β = ½[(1−2ν₁)/G₁ − (1−2ν₂)/G₂]/[(1−ν₁)/G₁ + (1−ν₂)/G₂] (Johnson 5.3),
-/// 0 for alike materials; |β| ≤ 1/2 for ν ≥ 0.
+/// Dundurs' second constant β = ½[(1−2ν₁)/G₁ − (1−2ν₂)/G₂]/[(1−ν₁)/G₁ + (1−ν₂)/G₂] (Johnson 5.3), 0
+/// for identical materials; |β| ≤ 1/2 for ν ≥ 0.
 double dundurs_beta(const Material& first, const Material& second);
 
 }  // namespace elasticity

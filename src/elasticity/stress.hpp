@@ -8,8 +8,8 @@ namespace elasticity {
 /// The stresses in the plane x, z of a body in plane strain; tension positive, z into the body.
 ///
 /// xx, zz and xz are σ_xx, σ_zz and σ_xz in one unit of stress. On the surface z = 0 under a
-/// pressure p and a shear q, both as in Load, σ_zz = −p and σ_xz = −q. Where a function takes nu,
-/// it is Poisson's ratio, −1 < ν ≤ 1/2, or InvalidQuantity is thrown.
+/// pressure p, σ_zz = −p and σ_xz = 0. Functions of Poisson's ratio nu throw InvalidQuantity unless
+/// −1 < ν ≤ 1/2.
 struct Stress {
   double xx = 0;
   double zz = 0;
@@ -26,15 +26,15 @@ struct Stress {
   /// The three principal stresses (σ_xx + σ_zz)/2 ± τ₁ and σ_yy, the greatest first.
   std::array<double, 3> principal(double nu) const;
 
-  /// Half of what the greatest and the least principal stress differ by: the greatest shear in any
-  /// plane (Tresca), a stress ≥ 0. Greater than max_shear() where σ_yy is an extreme.
+  /// Half the difference of the greatest and the least principal stress: the greatest shear in any
+  /// plane (Tresca), a stress ≥ 0. It exceeds max_shear() where σ_yy is one of the two.
   double largest_shear(double nu) const;
 
   /// von Mises's equivalent stress √{½[(σ₁−σ₂)² + (σ₂−σ_yy)² + (σ_yy−σ₁)²]} in plane strain,
   ///
   ///   √(3τ₁² + (1−2ν)² ((σ_xx+σ_zz)/2)²)  with σ_yy = ν(σ_xx+σ_zz); a stress ≥ 0.
   ///
-  /// A sum of squares, so it keeps its digits where the mean stress is large.
+  /// Being a sum of squares, it loses no digits where the mean stress is large.
   double von_mises(double nu) const;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Multiplies without the care for infinities that makes operator* slow.
+// Multiplies without the checks for infinities that make operator* slow.
 Complex product(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -32,7 +32,7 @@ struct Segment {
   double length() const { return x2 - x1; }
 };
 
-// F and zF′ as in the header.
+// F and zF′ of the header.
 struct Potentials {
   Complex F;
   Complex depth_dF;
@@ -50,7 +50,7 @@ void add_near(Potentials& sum, const Segment& s, double x, double z) {
   sum.depth_dF += z * (m * L + s.p1 * reciprocal(t1, z) - s.p2 * reciprocal(t2, z));
 }
 
-// Abscissae and weights of Gauss's rule of six points on [−1, 1], positive half (Abramowitz and
+// The positive abscissae of Gauss's six-point rule on [−1, 1] with their weights (Abramowitz and
 // Stegun, table 25.4). At ten half-lengths its error is 20⁻¹².
 struct Abscissa {
   double at, weight;
@@ -84,7 +84,7 @@ bool is_far(const Segment& s, double x, double z) {
 void require_valid(std::span<const double> nodes, std::span<const double> pressures) {
   if (nodes.size() < 2 || nodes.size() != pressures.size()) {
     throw sys::InvalidQuantity("number of nodes", static_cast<double>(nodes.size()),
-                               "2 or more, and as many as there are pressures");
+                               "2 or more, and equal to the number of pressures");
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     sys::require_finite("pressure", pressures[i]);
@@ -95,7 +95,7 @@ void require_valid(std::span<const double> nodes, std::span<const double> pressu
   }
 }
 
-// Returns p between the nodes, from the nearer of the two about x; 0 outside.
+// Returns p by linear interpolation between the nodes; 0 outside.
 double pressure_at(std::span<const double> nodes, std::span<const double> pressures, double x) {
   if (!(x >= nodes.front() && x <= nodes.back())) return 0;
   const auto after = std::upper_bound(nodes.begin(), nodes.end() - 1, x);
@@ -117,7 +117,7 @@ Stress stress_beneath(std::span<const double> nodes, std::span<const double> pre
     const bool is_at_jump = (x == nodes.front() && pressures.front() != 0) ||
                             (x == nodes.back() && pressures.back() != 0);
     if (is_at_jump) {
-      throw sys::InvalidQuantity("x", x, "off the jump of the pressure on the surface");
+      throw sys::InvalidQuantity("x", x, "away from the jump of the pressure on the surface");
     }
     const double p = pressure_at(nodes, pressures, x);
     return {-p, -p, 0};

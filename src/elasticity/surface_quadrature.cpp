@@ -16,7 +16,7 @@ namespace {
 
 double distance_to_force(const LineForce& force, double x) {
   if (x == force.position) {
-    throw sys::InvalidQuantity("x", x, "off the concentrated force");
+    throw sys::InvalidQuantity("x", x, "away from the concentrated force");
   }
   return x - force.position;
 }
@@ -77,8 +77,8 @@ Estimate SurfaceQuadrature::tangential_displacement(double x) const {
 Estimate SurfaceQuadrature::displacement_without_constant(double x) const {
   Estimate sum;
   if (!load_.normal.is_zero()) {
-    // The unit of length is arbitrary and goes into C; the width of the load keeps the logarithm of
-    // order one
+    // The unit of length is arbitrary, because C absorbs it; the width of the load keeps the
+    // logarithm of order one
     sum = -material_.integral_compliance() * normal_.logarithmic(x, width_of(load_.normal));
   }
   for (const LineForce& force : load_.forces) {
@@ -94,7 +94,7 @@ Estimate SurfaceQuadrature::normal_displacement_from_gradient(double x) const {
     if (force.position >= low && force.position <= high) distance_to_force(force, force.position);
   }
 
-  // Split at the kinks and midway between them, so that each part has trouble at one end at most.
+  // Split at the kinks and midway between them, so that each part has a kink at one end at most.
   std::vector<double> nodes = kinks_between(load_, low, high);
   nodes.insert(nodes.begin(), low);
   nodes.push_back(high);
@@ -113,7 +113,7 @@ Estimate SurfaceQuadrature::integrate_gradient(double begin, double end) const {
   double inner_error = 0;
   const auto graded = [&](double y) {
     const double x = begin + (end - begin) * y * y * y * y;
-    if (x == begin) return 0.0;  // not to be told from the kink; its weight y³ is below 1e-12
+    if (x == begin) return 0.0;  // x rounds to the kink; the weight y³ is below 1e-12
     const double weight = 4 * (end - begin) * y * y * y;
     const Estimate gradient = normal_gradient(x);
     inner_error = std::max(inner_error, std::abs(weight) * gradient.abs_error);

@@ -8,18 +8,18 @@
 
 namespace elasticity {
 
-/// The surface of a half-space under any load: eq. (2) and its relatives by numerical quadrature.
+/// The surface of a half-space under any load, by numerical quadrature of eq. (2) and its integral.
 ///
 /// x and datum are lengths; gradients are dimensionless; u_z is positive into the body, u_x in the
 /// direction of x. With K = 2(1−ν²)P/(πE) for a load of resultant P on a width 2a, the reported
-/// error stays below 1e-10·K/a for gradients and 1e-10·K for displacements when the pieces of the
-/// load are smooth; the true error is usually a thousand times less. Points may lie at kinks, at
+/// error stays below 1e-10·K/a for gradients and 1e-10·K for displacements if the pieces of the
+/// load are smooth; the true error is usually a thousand times smaller. Points may lie at kinks, at
 /// the ends of the load, and outside it. Every member throws InvalidQuantity where the result is
 /// infinite (a jump of p, a concentrated force) or x is not finite, and QuadratureError where a
-/// quadrature fails. Not for use by two threads at once.
+/// quadrature fails. Not thread-safe.
 class SurfaceQuadrature {
  public:
-  /// `datum` is the x at which u_z = 0; the constant C of eq. (3) is found from it once, here.
+  /// `datum` is the x at which u_z = 0; it determines the constant C of eq. (3).
   SurfaceQuadrature(const Material& material, const Load& load, double datum);
 
   /// ∂u_z/∂x = −[2(1−ν²)/(πE)] PV∫ p(s)/(x−s) ds, eq. (2) of the paper.
@@ -30,14 +30,15 @@ class SurfaceQuadrature {
   numerics::Estimate normal_displacement(double x) const;
 
   /// u_z(x) = ∫_datum^x (∂u_z/∂x) dx, with eq. (2) itself integrated numerically at each abscissa:
-  /// an independent, slower way to the same number. No concentrated force may lie between.
+  /// an independent, slower route to the same number. No concentrated force may lie between datum
+  /// and x.
   numerics::Estimate normal_displacement_from_gradient(double x) const;
 
-  /// ∂u_x/∂x as elasticity::tangential_gradient, which takes no quadrature.
+  /// ∂u_x/∂x by elasticity::tangential_gradient, which needs no quadrature.
   numerics::Estimate tangential_gradient(double x) const;
 
-  /// u_x(x) = −[(1−2ν)(1+ν)/(2E)] [∫_{s<x} p − ∫_{s>x} p], Johnson (2.24a) with q = 0; both sides
-  /// of the load move by as much.
+  /// u_x(x) = −[(1−2ν)(1+ν)/(2E)] [∫_{s<x} p − ∫_{s>x} p], Johnson (2.24a) with q = 0; the two
+  /// sides of the load move equally towards it.
   numerics::Estimate tangential_displacement(double x) const;
 
  private:

@@ -35,7 +35,7 @@ double normal_displacement(const Material& material, const TriangularLoad& load,
 }
 
 double tangential_displacement(const Material& material, const TriangularLoad& load, double x) {
-  // The resultant between −|x| and |x| is P (2ξ − ξ²) with ξ = |x|/a, all of P outside.
+  // The resultant between −|x| and |x| is P (2ξ − ξ²) with ξ = min(|x|/a, 1).
   const double xi = std::min(1.0, std::abs(sys::require_finite("x", x)) / load.half_width());
   const double between = load.line_load() * xi * (2 - xi);
   const double magnitude = material.local_compliance() / 2 * between;

@@ -17,15 +17,15 @@ class TriangularLoad : public PeakedLoad {
   operator Load() const;  // NOLINT(google-explicit-constructor): a triangular load is a load
 };
 
-/// ∂u_z/∂x of a half-space's surface under a triangular load: the derivative of eq. (3),
+/// ∂u_z/∂x at the surface of a half-space under a triangular load: the derivative of eq. (3),
 ///
 ///   ∂u_z/∂x = −K/a [(ξ+1) ln|ξ+1| + (ξ−1) ln|ξ−1| − 2ξ ln|ξ|],  ξ = x/a,  K = 2(1−ν²)p₀a/(πE).
 ///
-/// Dimensionless; any finite x (length), exact at the kinks x = 0 and ±a, where it is the limit.
+/// Dimensionless; any finite x (length). At the kinks x = 0 and ±a it is the limit.
 /// Accuracy: 1e-13 relative for |x|/a from 0 to 1e9, measured against 33-digit arithmetic.
 double normal_gradient(const Material& material, const TriangularLoad& load, double x);
 
-/// u_z of a half-space's surface under a triangular load, with C such that u_z(datum) = 0.
+/// u_z at the surface of a half-space under a triangular load, with C such that u_z(datum) = 0.
 /// This is eq. (3) of the paper:
 ///
 ///   u_z = −(1−ν²)/(2πE) (p₀/a) [(x+a)² ln((x+a)/a)² + (x−a)² ln((x−a)/a)² − 2x² ln(x/a)²] + C.

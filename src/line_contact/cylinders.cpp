@@ -16,7 +16,7 @@ struct Roots {
   double sum_of_squares;
 };
 
-// Take the larger root first, which does not cancel; their product gives the other.
+// Compute the larger root first, which is free of cancellation; their product gives the other.
 Roots roots(double x, double z, double a) {
   const double sum = std::hypot(x - a, z) * std::hypot(x + a, z);  // |(x+iz)² − a²|
   const double difference = (a - x) * (a + x) + z * z;
@@ -52,7 +52,7 @@ Hertz::Hertz(const CylinderPair& cylinders, double line_load)
       peak_pressure_(2 * line_load / (std::numbers::pi * half_width_)) {}
 
 double Hertz::pressure(double x) const {
-  // Near the edge a − |x| is exact, whereas 1 − (x/a)² would lose digits.
+  // Near the edge a − |x| is exact, while 1 − (x/a)² loses digits.
   const double from_edge = half_width_ - std::abs(x);
   if (from_edge <= 0) return 0;
   return peak_pressure_ / half_width_ * std::sqrt(from_edge * (half_width_ + std::abs(x)));

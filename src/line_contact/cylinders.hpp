@@ -11,8 +11,8 @@ namespace line_contact {
 /// hollow.
 class Radius {
  public:
-  /// A cylinder of radius > 0, or a hollow that the other body lies in, radius < 0 (a length).
-  /// Throws InvalidQuantity for `name` if the radius is 0 or not finite.
+  /// A cylinder of radius > 0 (a length), or a hollow around the other body, radius < 0. Throws
+  /// InvalidQuantity for `name` if the radius is 0 or not finite.
   static Radius of_cylinder(const char* name, double radius);
 
   /// A plane, whose curvature is 0.
@@ -50,7 +50,7 @@ class CylinderPair {
 /// Hertz's closed form for two cylinders pressed together (Johnson 4.43–4.45).
 class Hertz {
  public:
-  /// line_load P > 0, force per unit length, or InvalidQuantity is thrown.
+  /// line_load P, force per unit length. Throws InvalidQuantity unless P > 0.
   Hertz(const CylinderPair& cylinders, double line_load);
 
   /// a = √(4PR/(πE*)), a length (Johnson 4.43).
@@ -62,17 +62,17 @@ class Hertz {
   /// p(x) = p₀ √(1 − x²/a²) for |x| ≤ a, 0 outside; a stress (Johnson 4.44).
   double pressure(double x) const;
 
-  /// The gap u_z1 + u_z2 + h − δ that is left outside the contact, 0 inside; a length:
+  /// The gap u_z1 + u_z2 + h − δ outside the contact, 0 inside; a length:
   ///   (a²/(2R)) [ξ √(ξ²−1) − arcosh ξ], ξ = |x|/a ≥ 1, the integral of eq. (2)'s slope outside.
   double gap(double x) const;
 
-  /// The approach δ of points of the two surfaces that lie at x = datum, where u_z1 = u_z2 = 0; a
-  /// length. It is h(datum) less the gap there: datum²/(2R) in contact, and outside
+  /// The approach δ of the points of the two surfaces at x = datum, where u_z1 = u_z2 = 0; a
+  /// length. It is h(datum) minus the gap there: datum²/(2R) in contact, and outside
   ///
   ///   (a²/(2R)) [ξ/(ξ + √(ξ²−1)) + arcosh ξ],  ξ = |datum|/a,
   ///
-  /// in which nothing cancels. Accuracy: 2e-15 relative. Throws InvalidQuantity for a datum that is
-  /// not finite.
+  /// which is free of cancellation. Accuracy: 2e-15 relative. Throws InvalidQuantity for a datum
+  /// that is not finite.
   double approach(double datum) const;
 
  private:
@@ -94,10 +94,11 @@ class McEwen {
   ///   σ_xz = −(p₀/a) n (m²−z²)/(m²+n²),
   ///   m² − n² = a² − x² + z²,  mn = xz,  m ≥ 0, n with the sign of x.
   ///
-  /// Computed as products and sums of one sign: 2e-15 relative for each component, for distances
-  /// from 1e-9 a to 1e6 a from the axis, the surface and the edges, measured against 50-digit
-  /// arithmetic. On the surface σ_xx = σ_zz = −p. At the edges it is the limit, 0. Squares of
-  /// lengths must not overflow. Throws InvalidQuantity for x or z not finite, and for z < 0.
+  /// Computed from products and from sums of one sign. Accuracy: 2e-15 relative for each component,
+  /// measured against 50-digit arithmetic at distances of 1e-9 a to 1e6 a from the axis, the
+  /// surface and the edges. On the surface σ_xx = σ_zz = −p; at the edges it is the limit, 0.
+  /// Squares of lengths must not overflow. Throws InvalidQuantity for x or z not finite, and for z
+  /// < 0.
   elasticity::Stress stress(double x, double z) const;
 
  private:

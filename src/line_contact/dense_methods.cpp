@@ -39,8 +39,8 @@ contact::Equations equations_of(const Problem& problem, double line_load,
   const double total = total_phi(problem, line_load);
   VectorXd gap = grid.nodes().unaryExpr([&](double x) { return problem.profile.gap(x); });
   gap.array() -= gap.minCoeff();
-  // The terms of a gap in contact are of the order of Σφ times the greatest T. The gaps far outside
-  // may be of any size: they are greater than their rounding.
+  // The terms of a gap in contact are of the order of Σφ times the greatest T. Gaps far outside may
+  // be larger, but they exceed their own rounding.
   constexpr double roundings = 64;
   const double rounding =
       roundings * std::numeric_limits<double>::epsilon() * total * influence.cwiseAbs().maxCoeff();

@@ -6,7 +6,8 @@
 
 namespace line_contact {
 
-/// What is at a node for the pressure around it. All carry the load c·p, c the spacing.
+/// The element that represents the pressure around a node. Each carries the load c·p, with the
+/// spacing c.
 enum class Element {
   point,      ///< a concentrated force: infinite displacement under it
   uniform,    ///< a pressure p over one spacing: infinite gradient at its ends
@@ -27,8 +28,8 @@ std::string_view name_of(Element element);
 /// at whole k up to 1e9, absolute 1e-15 between, where T has a zero.
 double influence_coefficient(Element element, double k);
 
-/// T(k+1) − T(k) for whole k ≥ 0. Accuracy: 1e-14 relative, where the subtraction would lose a
-/// digit for each digit of k.
+/// T(k+1) − T(k) for whole k ≥ 0. Accuracy: 1e-14 relative; subtracting two coefficients would lose
+/// one digit per digit of k.
 double influence_difference(Element element, Eigen::Index k);
 
 }  // namespace line_contact

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 using Complex = std::complex<double>;
 using Spectrum = std::span<Complex>;
 
-// Multiplies without the care for infinities that makes operator* slow.
+// Multiplies without the checks for infinities that make operator* slow.
 Complex product(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -73,8 +73,8 @@ void InfluenceOperator::store(VectorXd& result, Index n) {
   result = Eigen::Map<const VectorXd>(fourier_.signal().data(), n);
 }
 
-// T is a Toeplitz matrix, T_ij = T(i−j), and so a corner of a circulant one of twice its size,
-// which the Fourier transform F diagonalises: Tφ = F⁻¹ Λ F φ with φ continued by zeros.
+// T is a Toeplitz matrix, T_ij = T(i−j), and so a corner of a circulant matrix of twice its size,
+// which the Fourier transform F diagonalises: Tφ = F⁻¹ Λ F φ with φ padded with zeros.
 void InfluenceOperator::potentials(const VectorXd& phi, VectorXd& result) {
   load(phi);  // F φ
   const Spectrum spectrum = fourier_.spectrum();
@@ -91,8 +91,8 @@ void InfluenceOperator::differences(const VectorXd& phi, VectorXd& result) {
   store(result, n_ - 1);
 }
 
-// −F⁻¹ Λ⁻¹ F r: the inverse of the circulant matrix, without its mean, of which δ takes care. Λ
-// holds the scale 1/N of the transforms, which its inverse needs twice.
+// −F⁻¹ Λ⁻¹ F r: the inverse of the circulant matrix without its mean, which δ absorbs. Λ contains
+// the scale 1/N of the transforms, so its inverse needs it twice.
 void InfluenceOperator::precondition(const VectorXd& residual, VectorXd& result) {
   load(residual);
   const Spectrum spectrum = fourier_.spectrum();
@@ -104,11 +104,11 @@ void InfluenceOperator::precondition(const VectorXd& residual, VectorXd& result)
 
 namespace {
 
-// Returns Σ_j t(i−j) φ_j, i = 0 … n_rows−1, where the values φ stand from `first` on. fill() puts
-// t(k) at the lags k = 0, 1, … from the front of a signal and k = −1, −2, … from its back.
+// Returns Σ_j t(i−j) φ_j, i = 0 … n_rows−1, for values φ that begin at `first`. fill() puts t(k) at
+// the lags k = 0, 1, … from the front of a signal and k = −1, −2, … from its back.
 template <class Fill>
 VectorXd convolution(const Fill& fill, const VectorXd& phi, Index first, Index n_rows) {
-  const Index reach = std::max(first + phi.size(), n_rows - first);  // of the lags, either way
+  const Index reach = std::max(first + phi.size(), n_rows - first);  // the greatest |lag|
   numerics::RealFourier fourier(size_of(std::max(2 * reach, n_rows + phi.size())));
   const std::span<double> signal = fourier.signal();
   const Spectrum spectrum = fourier.spectrum();

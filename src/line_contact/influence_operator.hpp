@@ -10,22 +10,22 @@
 
 namespace line_contact {
 
-/// Products with the Toeplitz matrix of influence coefficients, T(i−j), i, j = 0 … n−1, in
-/// O(n log n): the matrix is a block of a circulant one, which the Fourier transform diagonalises.
+/// Products with the Toeplitz matrix of influence coefficients, T(i−j), i, j = 0 … n−1, in O(n log
+/// n): the matrix is a block of a circulant matrix, which the Fourier transform diagonalises.
 class InfluenceOperator {
  public:
   InfluenceOperator(Element element, Eigen::Index n);
 
   Eigen::Index size() const { return n_; }
 
-  /// Σ_j T(i−j) φ_j. The rounding is that of the greatest term, about 1e-15 Σφ.
+  /// Σ_j T(i−j) φ_j. The rounding error is that of the greatest term, about 1e-15 Σφ.
   void potentials(const Eigen::VectorXd& phi, Eigen::VectorXd& result);
 
-  /// Σ_j [T(i+1−j) − T(i−j)] φ_j, i = 0 … n−2: differences of the above, but with the rounding of
-  /// the differences, n times less. It is eq. (2) on the grid.
+  /// Σ_j [T(i+1−j) − T(i−j)] φ_j, i = 0 … n−2: differences of the above with n times less rounding
+  /// than subtracting would leave. It is eq. (2) on the grid.
   void differences(const Eigen::VectorXd& phi, Eigen::VectorXd& result);
 
-  /// An approximate −T⁻¹: the inverse of the circulant matrix, near |q|/π for the wave number q,
+  /// An approximate −T⁻¹: the inverse of the circulant matrix, close to |q|/π at wave number q,
   /// without its mean. Symmetric and positive semi-definite.
   void precondition(const Eigen::VectorXd& residual, Eigen::VectorXd& result);
 

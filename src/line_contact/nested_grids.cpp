@@ -20,7 +20,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// One grid of the sequence: its nodal loads and the gap that they leave.
+// One grid of the sequence, with its nodal loads and the gap that they leave.
 struct Level {
   Grid grid;
   VectorXd phi;
@@ -29,7 +29,7 @@ struct Level {
   contact::Work work = {};
 };
 
-// The load of a node that is put in contact and carries next to nothing yet.
+// The load of a node that has just entered the contact: almost nothing.
 constexpr double touching = 1e-300;
 
 VectorXd rises_of(const Profile& profile, const Grid& grid, Index first, Index n) {
@@ -37,17 +37,17 @@ VectorXd rises_of(const Profile& profile, const Grid& grid, Index first, Index n
       n - 1, [&](Index i) { return profile.rise(grid.x(first + i), grid.x(first + i + 1)); });
 }
 
-// Around the contact a window leaves room on either side, because the contact that comes from the
-// coarser grid is wrong by a few nodes, and by more the wider it is. Too little room costs another
-// search, too much makes every transform longer.
-constexpr Index least_room = 8;          // nodes
-constexpr Index nodes_a_room_node = 64;  // nodes in contact for each further node of room
+// A window leaves room on either side of the contact, because the contact from the coarser grid is
+// wrong by a few nodes, more the wider it is. Too little room costs a second search, too much makes
+// every transform longer.
+constexpr Index least_room = 8;            // nodes
+constexpr Index nodes_per_room_node = 64;  // nodes in contact per further node of room
 
-// The coarsest grid has no more nodes than this. It is solved from a uniform pressure, in
+// The coarsest grid has at most this many nodes. Starting from a uniform pressure, it takes
 // microseconds and a few revisions of the contact.
 constexpr Index most_nodes_of_coarsest = 128;
 
-// The part of a grid that holds all contact, with room for it to grow.
+// The part of a grid that contains all contact, with room for it to grow.
 struct Window {
   Index first;
   Index n;
@@ -58,7 +58,7 @@ Window window_around(const VectorXd& phi) {
   Index last = phi.size() - 1;
   while (phi[first] == 0) ++first;
   while (phi[last] == 0) --last;
-  const Index margin = least_room + (last - first) / nodes_a_room_node;
+  const Index margin = least_room + (last - first) / nodes_per_room_node;
   first = std::max<Index>(0, first - margin);
   last = std::min(phi.size() - 1, last + margin);
   return {first, last - first + 1};
@@ -66,11 +66,11 @@ Window window_around(const VectorXd& phi) {
 
 class LevelSolver {
  public:
-  // looks_everywhere: whether eq. (1b) is to hold on all of the grid, or only around the contact.
+  // looks_everywhere: whether to satisfy eq. (1b) on the whole grid, or only around the contact.
   LevelSolver(const Problem& problem, double tolerance, bool looks_everywhere)
       : problem_(problem), tolerance_(tolerance), looks_everywhere_(looks_everywhere) {}
 
-  // Improves level.phi, whose nodes > 0 are the first guess of the contact and whose sum stays.
+  // Improves level.phi, whose positive nodes are the first guess of the contact. Keeps its sum.
   void solve(Level& level) const {
     const double total = level.phi.sum();
     for (bool is_complete = false; !is_complete;) {
@@ -97,7 +97,7 @@ class LevelSolver {
     bool settled = false;
     bool has_room = true;
     while (!settled && has_room) {
-      // Solve eq. (1a) in the contact as it is, then revise the contact
+      // Solve eq. (1a) for the present contact, then revise the contact
       if (++level.work.revisions > contact::max_revisions) {
         throw contact::ContactError(
             fmt::format("the contact did not settle in {} solves", contact::max_revisions));
@@ -106,7 +106,7 @@ class LevelSolver {
       settled =
           contact_search.revise(in_contact, phi, pressures.gap(), tolerance_ * phi.maxCoeff());
 
-      // Take away tension and what has left the contact, and make the load P again
+      // Remove tension and the nodes that left the contact, then restore the load
       phi = in_contact.select(phi.cwiseMax(0), 0);
       phi *= total / phi.sum();
       has_room = !(is_cut_left && in_contact[0]) && !(is_cut_right && in_contact[window.n - 1]);
@@ -118,9 +118,9 @@ class LevelSolver {
     return settled && has_room;
   }
 
-  // Whether eq. (1b) holds on all of the grid; where it does not, nodes are put in contact.
+  // Whether eq. (1b) holds on the whole grid; where it does not, puts nodes in contact.
   bool enters_nowhere_else(Level& level, const Window& window) const {
-    // Compute the gap on the whole grid: g = h − δ − Tφ from its differences
+    // Compute the gap g = h − δ − Tφ on the whole grid from its differences
     const Index n = level.grid.n_nodes;
     const VectorXd rises =
         rises_of(problem_.profile, level.grid, 0, n) -
@@ -133,7 +133,7 @@ class LevelSolver {
     const contact::ContactMask in_contact = level.phi.array() > 0;
     level.gap.array() -= in_contact.select(level.gap, 0).sum() / in_contact.cast<double>().sum();
 
-    // Put the nodes outside the window that penetrate in contact
+    // Put nodes that penetrate outside the window in contact
     const double smallest_gap = tolerance_ * level.phi.maxCoeff();
     bool enters = false;
     for (Index i = 0; i < n; ++i) {
@@ -150,7 +150,7 @@ class LevelSolver {
   bool looks_everywhere_;
 };
 
-// Divides the domain into half as many elements again and again; the coarsest grid comes first.
+// Halves the number of elements over the domain repeatedly; the coarsest grid comes first.
 std::vector<Grid> nested_grids(const Grid& finest) {
   std::vector<Grid> grids{finest};
   while (grids.back().n_nodes > most_nodes_of_coarsest) {
@@ -169,7 +169,7 @@ double total_phi(const Problem& problem, double line_load) {
   const double total =
       2 * sys::require_positive("load", line_load) / (std::numbers::pi * problem.contact_modulus);
   if (!(total < contact::largest_length)) {
-    throw sys::InvalidQuantity("load", line_load, "less: its square must be a double");
+    throw sys::InvalidQuantity("load", line_load, "smaller: its square overflows");
   }
   return total;
 }
@@ -180,11 +180,11 @@ NodalLoads solve_on_nested_grids(const Problem& problem, double line_load, doubl
   for (const Grid& grid : nested_grids(problem.grid)) {
     VectorXd phi = level.phi.size() == 0 ? VectorXd::Zero(grid.n_nodes)
                                          : prolongate(level.grid, level.phi, grid);
-    // A contact of a node or two may fall between the nodes of the next grid
+    // A contact of one or two nodes may fall between the nodes of the next grid
     if (!(phi.sum() > 0)) phi.setOnes();
     phi *= total / phi.sum();
     level = {grid, std::move(phi)};
-    constexpr double enough_to_start_from = 1e-6;  // less than interpolation spoils
+    constexpr double enough_to_start_from = 1e-6;  // less than the interpolation error
     const bool is_finest = grid.n_nodes == problem.grid.n_nodes;
     const double wanted = is_finest ? tolerance : std::max(tolerance, enough_to_start_from);
     LevelSolver(problem, wanted, is_finest).solve(level);

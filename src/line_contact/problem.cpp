@@ -53,10 +53,10 @@ void require_valid(const Problem& problem) {
     const double gap = profile.gap(grid.x(i));
     largest = std::max(largest, std::abs(gap));
     if (std::abs(gap) < contact::largest_length) continue;
-    throw sys::InvalidQuantity(fmt::format("gap at x = {}", grid.x(i)), gap,
+    throw sys::InvalidQuantity(fmt::format("gap at x = {:.6g}", grid.x(i)), gap,
                                fmt::format("less than {}", contact::largest_length));
   }
-  // Methods that iterate square lengths, which must not become zero by it.
+  // The iterative methods square lengths; the squares must not underflow.
   constexpr double least_length = 1e-130;
   if (largest > 0 && largest < least_length) {
     throw sys::InvalidQuantity("largest gap on the grid", largest,

@@ -24,7 +24,7 @@ VectorXd added_up(const VectorXd& rises, Index start) {
 ProjectedCg::ProjectedCg(InfluenceOperator& influence, const VectorXd& rises)
     : influence_(influence), rises_(rises) {}
 
-// Adds the gap g = h − δ − Tφ up from its differences; δ makes its mean in contact zero.
+// Sums the gap g = h − δ − Tφ from its differences; δ makes its mean in contact zero.
 void ProjectedCg::update_gap(const VectorXd& phi) {
   influence_.differences(phi, product_);  // (Tφ)_{i+1} − (Tφ)_i
   ++work_.products;
@@ -34,9 +34,9 @@ void ProjectedCg::update_gap(const VectorXd& phi) {
   gap_.array() -= (contact_.array() > 0).select(gap_.array(), 0).sum() / contact_.sum();
 }
 
-// Preconditions the residual r into the correction s with Σs = 0, so that the load stays. With M
-// the preconditioner in contact and 1 the vector of ones in contact, r changes by a multiple of 1,
-// which is a change of the approach δ.
+// Preconditions the residual r into the correction s with Σs = 0, which keeps the load. With the
+// preconditioner M and the vector of ones 1, both in contact, r changes by a multiple of 1: a
+// change of the approach δ.
 void ProjectedCg::project(VectorXd& residual) {
   influence_.precondition(residual, correction_);
   correction_.array() *= contact_.array();                         // s = M r
@@ -72,7 +72,7 @@ void ProjectedCg::solve(VectorXd& phi, const contact::ContactMask& in_contact, d
   uniform_answer_.array() *= contact_.array();
   double previous = std::numeric_limits<double>::infinity();
   for (int n_stalled = 0;;) {
-    // Compute the residual anew, and stop if the correction it asks for is small enough
+    // Recompute the residual, and stop if its correction is small enough
     update_gap(phi);
     residual_ = (contact_.array() > 0).select(-gap_.array(), 0);  // r = −g
     project(residual_);                                           // s = M r, Σs = 0
@@ -80,8 +80,8 @@ void ProjectedCg::solve(VectorXd& phi, const contact::ContactMask& in_contact, d
     error_ = largest / phi.maxCoeff();
     if (error_ <= tolerance) return;
 
-    // Give up when rounding keeps the error from being halved. A start from a coarse grid may be
-    // slow once or twice without being at the end of its digits.
+    // Give up when rounding prevents the error from halving. After a start from a coarse grid,
+    // convergence may be slow once or twice before that.
     constexpr int max_stalled = 3;
     if (!std::isfinite(error_) || (error_ > previous / 2 && ++n_stalled > max_stalled)) {
       throw sys::InvalidQuantity(
@@ -91,7 +91,7 @@ void ProjectedCg::solve(VectorXd& phi, const contact::ContactMask& in_contact, d
     }
     previous = error_;
 
-    // Win seven digits, which the rounding of T leaves to the conjugate gradients at any n
+    // Gain seven digits, which the rounding of T allows at any n
     constexpr double digits_at_a_time = 1e-7;
     improve(phi, std::max(digits_at_a_time * largest, tolerance / 2 * phi.maxCoeff()));
   }

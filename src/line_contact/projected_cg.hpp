@@ -9,30 +9,29 @@
 
 namespace line_contact {
 
-/// Adds up rises from node to node, outwards from `start`, where the result is 0: so that a steep
-/// profile's great gaps far outside leave no rounding in contact.
+/// Sums rises from node to node, outwards from `start`, where the result is 0. This keeps the
+/// rounding of a steep profile's large gaps far outside away from the contact.
 Eigen::VectorXd added_up(const Eigen::VectorXd& rises, Eigen::Index start);
 
-/// Eq. (1a) for nodes whose contact is known: minimises ½φᵀ(−T)φ + hᵀφ over the element loads φ of
-/// the nodes in contact while Σφ stays what it is.
+/// Solves eq. (1a) for a known contact: minimises ½φᵀ(−T)φ + hᵀφ over the element loads φ of the
+/// nodes in contact at constant Σφ.
 ///
 /// Conjugate gradients, projected on Σφ = const. and preconditioned with the inverse of a circulant
-/// matrix, improve φ; the gap they aim at is computed anew from its differences (eq. (2)), whose
-/// rounding is n times smaller, and so they start again until the pressure is right to the
-/// tolerance (iterative refinement).
+/// matrix, improve φ. Iterative refinement then recomputes the gap from its differences (eq. (2)),
+/// whose rounding is n times smaller, and restarts until the pressure has reached the tolerance.
 class ProjectedCg {
  public:
-  /// rises: h_{i+1} − h_i between the operator's nodes. Both must outlive this.
+  /// rises: h_{i+1} − h_i between the operator's nodes. Both arguments must outlive the object.
   ProjectedCg(InfluenceOperator& influence, const Eigen::VectorXd& rises);
 
-  /// Changes φ until its error is at most tolerance·max φ; φ is 0 outside contact. Throws
-  /// InvalidQuantity for a tolerance that rounding does not let it reach.
+  /// Improves φ until its error is at most tolerance·max φ; φ is 0 outside contact. Throws
+  /// InvalidQuantity for a tolerance that rounding puts out of reach.
   void solve(Eigen::VectorXd& phi, const contact::ContactMask& in_contact, double tolerance);
 
   /// u_z1 + u_z2 + h − δ at all nodes for the φ last solved; its mean in contact is 0.
   const Eigen::VectorXd& gap() const { return gap_; }
 
-  /// The error of φ that the gaps left in contact stand for, greatest and relative to max φ.
+  /// The greatest error of φ, relative to max φ, estimated from the gaps that remain in contact.
   double error() const { return error_; }
 
   const contact::Work& work() const { return work_; }
@@ -45,7 +44,7 @@ class ProjectedCg {
   InfluenceOperator& influence_;
   const Eigen::VectorXd& rises_;
   Eigen::VectorXd contact_;         // 1 in contact, else 0
-  Eigen::VectorXd uniform_answer_;  // what the preconditioner makes of contact_
+  Eigen::VectorXd uniform_answer_;  // the preconditioner times contact_
   Eigen::VectorXd gap_, residual_, correction_, direction_, product_;
   double error_ = 0;
   contact::Work work_;

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Between nodes i and i+1, both in contact, at the share t of the way.
+// Interpolates between nodes i and i+1, both in contact, at the fraction t of the way.
 double between(const VectorXd& p, Index i, double t) {
   const bool is_inside = i > 0 && i + 2 < p.size() && p[i - 1] > 0 && p[i + 2] > 0;
   if (!is_inside) return p[i] + t * (p[i + 1] - p[i]);
@@ -28,7 +28,7 @@ struct Stretch {
   Index first, last;
 };
 
-// √ of the share of the way from the edge to the end node; 1 where both are the same point.
+// The square root of the fraction of the way from the edge to the end node; 1 if they coincide.
 double rise_from_edge(double way, double whole) {
   return whole > 0 ? std::sqrt(std::clamp(way / whole, 0.0, 1.0)) : 1;
 }

@@ -32,14 +32,13 @@ double own_second_moment(Element element) {
   return 0;
 }
 
-// Returns how far beyond the end node p² becomes zero if it goes on falling as between the last two
-// nodes.
+// Returns how far beyond the end node p² becomes zero, extrapolated from the last two nodes.
 double overhang(double last, double last_but_one, double spacing) {
   const double fall = last_but_one * last_but_one - last * last;
   return fall > 0 ? spacing * std::min(1.0, last * last / fall) : spacing / 2;
 }
 
-// Returns the slope of both bodies together at the distance x from an element of pressure p.
+// Returns the sum of both bodies' slopes at the distance x from an element of pressure p.
 double slope_of(const elasticity::Material& both, Element element, double p, double c, double x) {
   switch (element) {
     case Element::triangular:
@@ -79,8 +78,7 @@ contact::Resolution Solution::resolution() const {
 }
 
 double Solution::half_width() const {
-  // The moments are taken in units of the peak and of the spacing, because under very small loads
-  // they would underflow.
+  // Moments in units of the peak and of the spacing do not underflow under very small loads.
   const double peak = peak_pressure();
   double load = 0;
   double moment = 0;
@@ -116,7 +114,7 @@ std::vector<Region> regions_in_contact(const Grid& grid, const Eigen::VectorXd& 
   return regions;
 }
 
-// δ = h − g − (Tφ)_i + Σ_j T((datum − x_j)/c) φ_j at the node i that carries most.
+// δ = h − g − (Tφ)_i + Σ_j T((datum − x_j)/c) φ_j at the node i of greatest pressure.
 double Solution::approach(double datum) const {
   const std::vector<Region> in_contact = regions();
   const double begin = in_contact.empty() ? grid.centre : in_contact.front().begin;
@@ -137,7 +135,7 @@ double Solution::approach(double datum) const {
 }
 
 double surface_slope(const Solution& solution, double x) {
-  // With ν = 0 and E* in the place of E the factor 2(1−ν²)/(πE) is the sum of both bodies'.
+  // With ν = 0 and E = E*, the factor 2(1−ν²)/(πE) is the sum of both bodies' factors.
   const elasticity::Material both(solution.contact_modulus, 0);
   const Grid& grid = solution.grid;
   double slope = 0;
@@ -151,7 +149,7 @@ double surface_slope(const Solution& solution, double x) {
 elasticity::Stress stress_beneath(const Solution& solution, double x, double z) {
   if (solution.element != Element::triangular) {
     throw sys::InvalidQuantity("width of the elements", solution.grid.spacing,
-                               "that of triangular elements: beneath others stress jumps");
+                               "that of triangular elements: beneath others the stress jumps");
   }
   // From the free node before the contact to the one behind it
   const Eigen::VectorXd& p = solution.pressure;

@@ -6,20 +6,20 @@
 
 namespace line_contact {
 
-/// The least tolerance that rounding allows, and the one that is taken if none is given.
+/// The least tolerance that rounding allows, and the default.
 inline constexpr double min_tolerance = 1e-13;
 inline constexpr double default_tolerance = 1e-10;
 
-/// Solves the contact under the load P (force per unit length) without ever forming the matrix.
+/// Solves the contact under the load P (force per unit length) without forming the matrix.
 ///
-/// Products by the fast Fourier transform, conjugate gradients with a circulant preconditioner for
-/// the pressure while the contact is held, revisions of the contact outside of them, and a sequence
-/// of grids, each twice as fine as the one before. Cost O(N log N), memory about 90 bytes a node.
+/// Products use the fast Fourier transform. Conjugate gradients with a circulant preconditioner
+/// find the pressure of a fixed contact, an outer loop revises the contact, and a sequence of
+/// grids, each twice as fine as the one before, provides the first guess. Cost O(N log N), memory
+/// about 90 bytes per node.
 ///
-/// The nodal pressures are those of matrix inversion to tolerance·(peak pressure). Throws
-/// InvalidQuantity for P ≤ 0, a tolerance outside [min_tolerance, 0.01] or that rounding keeps out
-/// of reach (the message says what is left), and what to_solution() refuses; ContactError if the
-/// contact does not settle.
+/// The nodal pressures agree with matrix inversion to tolerance·(peak pressure). Throws
+/// InvalidQuantity for P ≤ 0, a tolerance outside [min_tolerance, 0.01] or below the rounding error
+/// (which the message gives), and as to_solution(); ContactError if the contact does not settle.
 Solution solve_by_fft(const Problem& problem, double line_load,
                       double tolerance = default_tolerance);
 

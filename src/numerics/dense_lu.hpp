@@ -6,8 +6,8 @@
 
 namespace numerics {
 
-/// Eigen's LU factors of a square matrix, with partial pivoting. Here so that the factorisation,
-/// which takes long to compile, is compiled once.
+/// LU factors of a square matrix with partial pivoting, by Eigen. The wrapper exists because the
+/// factorisation is slow to compile: it is compiled once.
 class DenseLu {
  public:
   explicit DenseLu(const Eigen::MatrixXd& matrix);
@@ -15,7 +15,7 @@ class DenseLu {
   DenseLu(DenseLu&&) noexcept;
   DenseLu& operator=(DenseLu&&) noexcept;
 
-  /// x with matrix·x = right_side.
+  /// Solves matrix·x = right_side.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
 
  private:

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The header is all there is, and must stand by itself: engines of papers are built with it alone.
+// Everything is in the header. This file proves that the header compiles on its own.
 #include "numerics/estimate.hpp"

@@ -6,16 +6,16 @@
 
 namespace numerics {
 
-/// A computed number and a bound on how wrong it may be.
+/// A computed number with a bound on its error.
 ///
-/// `value` and `abs_error` share one unit; the true number is meant to lie in
-/// [value − abs_error, value + abs_error], `abs_error` ≥ 0. Every operation carries the errors of
-/// its operands, taken to be independent of one another, and adds a rounding of its own, ε|value|
-/// with ε = 2⁻⁵²: x − x has twice the error of x. A plain number has no error. Where an operation
-/// has no bound, as a quotient whose divisor may be zero, the bound is infinite.
+/// `value` and `abs_error` ≥ 0 share one unit; the true number lies in [value − abs_error, value +
+/// abs_error]. Every operation propagates the errors of its operands, assumed independent, and adds
+/// its own rounding, ε|value| with ε = 2⁻⁵²: x − x has twice the error of x. A plain number has no
+/// error. Where no bound exists, such as for a quotient whose divisor may be zero, the bound is
+/// infinite.
 ///
-/// No operation relies on the order in which the compiler computes, so that bounds stay bounds
-/// where it is allowed to change it (-ffast-math).
+/// No operation relies on the order of evaluation, so the bounds stay valid where the compiler may
+/// change that order (-ffast-math).
 struct Estimate {
   double value = 0;
   double abs_error = 0;
@@ -25,7 +25,7 @@ struct Estimate {
 
 namespace rounding {
 
-/// A value that was rounded once, with the error that comes from its operands and was rounded too.
+/// A value that was rounded once, with its propagated error, which was itself rounded.
 inline Estimate rounded(double value, double error) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   return {value, (1 + 8 * epsilon) * error + epsilon * std::abs(value)};
@@ -85,25 +85,25 @@ inline Estimate operator/(double a, Estimate b) {
   return Estimate{a} / b;
 }
 
-/// |a|, as wrong as a.
+/// |a|, with the error of a.
 inline Estimate abs(Estimate a) {
   return {std::abs(a.value), a.abs_error};
 }
 
-/// The greater of two, as wrong as the worse known of them.
+/// The greater of two values, with the greater of their errors.
 inline Estimate max(Estimate a, Estimate b) {
   return {a.value < b.value ? b.value : a.value,
           a.abs_error < b.abs_error ? b.abs_error : a.abs_error};
 }
 
-/// √a. |√(a + α) − √a| = |α|/(√(a + α) + √a) is at most |α|/√a, and at most √|α|.
+/// √a. The bound is |√(a + α) − √a| = |α|/(√(a + α) + √a) ≤ min(|α|/√a, √|α|).
 inline Estimate sqrt(Estimate a) {
   const double root = std::sqrt(a.value);
   const double least = std::sqrt(a.abs_error);
   return rounding::rounded(root, least < root ? a.abs_error / root : least);
 }
 
-/// The natural logarithm; its bound is infinite where a may be 0.
+/// The natural logarithm; the bound is infinite where a may be 0.
 inline Estimate log(Estimate a) {
   const double relative = a.abs_error / a.value;
   if (!(relative < 1)) return {std::log(a.value), std::numeric_limits<double>::infinity()};

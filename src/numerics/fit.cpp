@@ -36,13 +36,13 @@ void require_finite(std::string_view quantity, const MatrixXd& entries) {
   for (const double entry : entries.reshaped()) sys::require_finite(quantity, entry);
 }
 
-// Fits with the weights w = u⁻², or with equal ones if there are none.
+// Fits with the weights w = u⁻², or with equal weights if the list is empty.
 Fit weighted_fit(RowMajor matrix, VectorXd observed, VectorXd weights) {
   const Index n = matrix.rows();
   const Index p = matrix.cols();
   require_count("number of coefficients of a fit", p, p > 0, "1 or more");
   require_count("number of observations", observed.size(), observed.size() == n && n >= p,
-                "that of the rows of the matrix, and no less than the number of coefficients");
+                "the number of rows, and no less than the number of coefficients");
   require_finite("entry of the matrix of a fit", matrix);
   require_finite("observation", observed);
 
@@ -64,7 +64,7 @@ Fit weighted_fit(RowMajor matrix, VectorXd observed, VectorXd weights) {
                              &result.chi_squared, &rank, workspace.get());
   }
   require_count("number of independent columns of a fit", static_cast<Index>(rank),
-                static_cast<Index>(rank) == p, "that of its coefficients");
+                static_cast<Index>(rank) == p, "the number of its coefficients");
   gsl_multifit_linear_residuals(&A.matrix, &y.vector, &c.vector, &r.vector);
   result.covariance = covariance;
   return result;
@@ -90,7 +90,7 @@ Fit fit(const MatrixXd& matrix, const VectorXd& observed) {
 
 Fit fit(const MatrixXd& matrix, const VectorXd& observed, const VectorXd& standard) {
   require_count("number of standard uncertainties", standard.size(),
-                standard.size() == observed.size(), "that of the observations");
+                standard.size() == observed.size(), "the number of observations");
   for (const double u : standard) sys::require_positive("standard uncertainty", u);
   return weighted_fit(matrix, observed, standard.array().square().inverse());
 }

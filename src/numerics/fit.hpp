@@ -7,33 +7,33 @@
 
 namespace numerics {
 
-/// A linear model y = A c that was fitted to observations.
+/// A linear model y = A c fitted to observations.
 struct Fit {
   Eigen::VectorXd coefficients;  ///< c
   Eigen::MatrixXd covariance;    ///< of the coefficients
   Eigen::VectorXd residuals;     ///< observed − fitted
-  double chi_squared;            ///< Σ (residual/u)², u = 1 where no uncertainties are given
-  int degrees_of_freedom;        ///< observations less coefficients
+  double chi_squared;            ///< Σ (residual/u)², with u = 1 if no uncertainties are given
+  int degrees_of_freedom;        ///< observations minus coefficients
 
   /// The standard uncertainty of a coefficient.
   double standard(Eigen::Index j) const;
 
-  /// The covariance of two coefficients over both standard uncertainties.
+  /// The covariance of two coefficients divided by both standard uncertainties.
   double correlation(Eigen::Index j, Eigen::Index k) const;
 };
 
 /// Fits y = A c with equal weights: the c that minimise Σᵢ (yᵢ − Σⱼ Aᵢⱼ cⱼ)² (gsl_multifit_linear).
 ///
-/// The covariance is s² (AᵀA)⁻¹ with s² = Σ residual²/(n − p) from the scatter of the n
-/// observations about the p columns; without a degree of freedom it is infinite.
+/// The covariance is s² (AᵀA)⁻¹ with s² = Σ residual²/(n − p), the scatter of n observations about
+/// the fit of p coefficients; with no degrees of freedom it is infinite.
 ///
-/// A has a row for each observation and a column for each coefficient. Throws InvalidQuantity for
-/// no column, fewer rows than columns, another number of observations than rows, entries that are
-/// not finite, and columns that depend on one another to rounding.
+/// A has one row per observation and one column per coefficient. Throws InvalidQuantity if A has no
+/// columns or fewer rows than columns, if the number of observations differs from the number of
+/// rows, for entries that are not finite, and for columns that are linearly dependent to rounding.
 Fit fit(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& observed);
 
-/// The same where each observation has a standard uncertainty uᵢ > 0: minimises Σᵢ (residualᵢ/uᵢ)²
-/// with the covariance (Aᵀ diag(u⁻²) A)⁻¹, whatever the residuals (gsl_multifit_wlinear).
+/// The same with a standard uncertainty uᵢ > 0 for each observation: minimises Σᵢ (residualᵢ/uᵢ)².
+/// The covariance is (Aᵀ diag(u⁻²) A)⁻¹, whatever the residuals (gsl_multifit_wlinear).
 Fit fit(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& observed,
         const Eigen::VectorXd& standard);
 
@@ -45,9 +45,9 @@ struct PowerLaw {
   double factor_standard;  ///< its standard uncertainty
 };
 
-/// Fits |error| = C·n^−r by least squares for the logarithms, all with the same weight. Throws
-/// InvalidQuantity for fewer than three errors, lists of different lengths, and an n or an error
-/// that is not > 0 in magnitude.
+/// Fits |error| = C·n^−r by least squares on the logarithms, with equal weights. Throws
+/// InvalidQuantity for fewer than three errors, lists of different lengths, n ≤ 0, and an error of
+/// 0.
 PowerLaw fit_power(const std::vector<double>& n, const std::vector<double>& errors);
 
 }  // namespace numerics

@@ -11,7 +11,7 @@
 
 namespace numerics {
 
-/// Held while a plan is made or destroyed: FFTW's planner belongs to one thread at a time.
+/// The lock for making and destroying plans: FFTW's planner is not thread-safe.
 std::mutex& fftw_planner();
 
 struct FreeFftwPlan {
@@ -23,19 +23,19 @@ struct FreeFftwMemory {
   void operator()(void* memory) const { fftw_free(memory); }
 };
 
-/// The least size ≥ min_size that is 2^k m, k ≥ 2, with a small odd m that FFTW has code for.
+/// The least size ≥ min_size of the form 2^k m, k ≥ 2, with a small odd m that FFTW has code for.
 std::size_t convenient_fourier_size(std::size_t min_size);
 
-/// The discrete Fourier transform of a real signal by FFTW, in place, with an owned buffer.
+/// The discrete Fourier transform of a real signal by FFTW, in place, in a buffer that it owns.
 ///
 /// forward():  spectrum_k = Σ_j signal_j exp(−2πi jk/n), k = 0 … n/2;  backward() is its inverse
-/// times n. Each overwrites the other's view. The n real numbers are transformed as n/2 complex
-/// ones (Press et al., Numerical Recipes, 12.3.2): FFTW plans these in half a millisecond, a real
-/// transform in 5 to 20, which is more than a small contact takes. Plans are estimated, not
-/// measured, so that a result is the same each time.
+/// times n. Signal and spectrum share the buffer. The n real numbers are transformed as n/2 complex
+/// ones (Press et al., Numerical Recipes, 12.3.2): FFTW plans a complex transform in half a
+/// millisecond but a real one in 5 to 20, longer than a small contact takes to solve. Plans are
+/// estimated, not measured, so that results are reproducible.
 class RealFourier {
  public:
-  /// A transform of the least convenient length n ≥ min_size: even, with few and small odd primes.
+  /// A transform of length convenient_fourier_size(min_size).
   explicit RealFourier(std::size_t min_size);
 
   std::size_t size() const { return size_; }
@@ -53,7 +53,7 @@ class RealFourier {
   FftwPlan backward_;
 };
 
-/// Complex numbers that lie in memory as FFTW needs them.
+/// An array of complex numbers, aligned for FFTW.
 class ComplexBuffer {
  public:
   /// Throws std::bad_alloc.
@@ -72,7 +72,7 @@ class ComplexBuffer {
 /// The discrete Fourier transform of complex numbers by FFTW, in place.
 ///
 /// forward():  Z_k = Σ_j z_j exp(−2πi jk/n), k = 0 … n−1;  backward() is its inverse times n. Plans
-/// are estimated, not measured, so that a result is the same each time.
+/// are estimated, not measured, so that results are reproducible.
 class ComplexFourier {
  public:
   explicit ComplexFourier(std::size_t size);

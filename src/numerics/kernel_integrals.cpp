@@ -12,7 +12,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Rounding of one sum of a few dozen terms of the given magnitude.
+// Adds the rounding of one sum of a few dozen terms of the given magnitude.
 Estimate with_rounding(Estimate e, double magnitude) {
   constexpr double roundings = 8;
   e.abs_error += roundings * epsilon * magnitude;
@@ -24,8 +24,8 @@ double logarithm_integral(double t, double length) {
   return t > 0 ? t * (std::log(t / length) - 1) : 0;
 }
 
-// The logarithms ln|x − end| that splitting off constants leaves, gathered end by end: at a kink
-// under x the factors of the infinite logarithm must cancel, at a jump they do not.
+// Sums the logarithms ln|x − end| of the constants split off. If x is at an end, that logarithm is
+// infinite: its factors cancel at a kink, but not at a jump.
 class EndLogarithms {
  public:
   EndLogarithms(double x, double length, double scale) : x_(x), length_(length), scale_(scale) {}
@@ -44,7 +44,7 @@ class EndLogarithms {
     constexpr double rounding_of_density = 16 * epsilon;
     if (std::abs(factor_at_x_) > rounding_of_density * scale_) {
       throw sys::InvalidQuantity("x", x_,
-                                 "off the jump of the load, where the gradient is infinite");
+                                 "away from the jump of the load, where the gradient is infinite");
     }
     return with_rounding(sum_, magnitude_);
   }
@@ -58,8 +58,8 @@ class EndLogarithms {
   Estimate sum_;
 };
 
-// Where x lies in units of the piece: −1 at its begin, +1 at its end. QAWC's moments take the
-// logarithm of the distance from ±1.
+// The position of x in units of the piece: −1 at its begin, +1 at its end. QAWC's moments contain
+// the logarithm of the distance from ±1.
 double relative_position(const Piece& piece, double x) {
   return ((x - piece.begin) + (x - piece.end)) / (piece.end - piece.begin);
 }
@@ -97,7 +97,7 @@ Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest
   const IntegralName name{"principal value of p(s)/(x - s)", x};
   const double position = std::abs(relative_position(piece, x));
 
-  // So near to an end that QAWC could not tell x from it, the integrand has no pole.
+  // Where QAWC cannot distinguish x from an end, the integrand has no pole.
   constexpr double indistinguishable = 64 * epsilon;
   if (std::abs(position - 1) < indistinguishable) {
     double greatest = 0;
@@ -107,19 +107,19 @@ Estimate KernelIntegrals::cauchy_regular_part(const Piece& piece, double nearest
       return value;
     };
     Estimate rest = quadrature_.smooth(quotient, piece.begin, piece.end, abs_tolerance, name);
-    // What the rounding of s itself does to a quotient that grows towards the end, as where the
-    // density ends with a root.
+    // The rounding of s matters where the quotient grows towards the end, such as for a density
+    // that ends like a square root.
     rest.abs_error += epsilon * std::max(std::abs(piece.begin), std::abs(piece.end)) * greatest;
     return rest;
   }
 
-  // Up to where QAWC itself takes x for a pole, it does; ∫ f/(x − s) is −∫ f/(s − x).
+  // Within QAWC's own limit for treating x as a pole; ∫ f/(x − s) is −∫ f/(s − x).
   if (position <= 1.1) {
     const auto difference = [&](double s) { return piece.value(s) - nearest_value; };
     return -quadrature_.principal_value(difference, piece.begin, piece.end, x, abs_tolerance, name);
   }
 
-  // Farther off, v = ln(|x − s|/distance) takes the kernel in: ds/(x − s) = ±dv.
+  // Farther away, v = ln(|x − s|/distance) absorbs the kernel: ds/(x − s) = ±dv.
   const bool at_begin = x < piece.begin;
   const double distance = at_begin ? piece.begin - x : x - piece.end;
   const auto substituted = [&](double v) {
@@ -160,14 +160,14 @@ Estimate KernelIntegrals::logarithmic_from(const Panel& panel, double x, double 
 
   if (distance > 2 * width) {
     const auto product = [&](double t) { return value_at(t) * std::log((distance + t) / length); };
-    // Very far off the logarithm is large and nearly constant: its rounding sets the tolerance.
+    // Very far away the logarithm is large and nearly constant: its rounding limits the tolerance.
     const double magnitude = std::max(1.0, std::abs(std::log(distance / length)));
     const Estimate whole = quadrature_.smooth(product, 0, width, magnitude * abs_tolerance, name);
     return with_rounding(whole, std::abs(whole.value));
   }
 
-  // ∫ [p − c] ln((distance + t)/length) dt with t = width·y⁴, whose y⁷ ln y a 31-point rule takes
-  // in one step; c is p at the end nearest to x.
+  // ∫ [p − c] ln((distance + t)/length) dt with t = width·y⁴: a 31-point rule integrates the
+  // resulting y⁷ ln y in one step. c is p at the end nearest to x.
   const double nearest = value_at(0);
   const auto graded = [&](double y) {
     const double cube = y * y * y;

@@ -11,30 +11,30 @@ namespace numerics {
 
 /// Integrals of a piecewise smooth density p(s) against the kernels of plane elasticity.
 ///
-/// Accuracy: `rel_tolerance` times the scale of p (and, where the result is a p times a length, the
-/// length of each piece) is asked of each piece's quadrature; the reported error adds the rounding.
-/// The estimate is pessimistic by several orders where p is a polynomial, for which the rules are
-/// exact. Throws QuadratureError where a quadrature fails. Not for use by two threads at once.
+/// Accuracy: the absolute tolerance of each piece's quadrature is `rel_tolerance` times the scale
+/// of p (times the piece's length where the result is p times a length); the reported error adds
+/// the rounding. It is pessimistic by several orders of magnitude where p is a polynomial, for
+/// which the rules are exact. Throws QuadratureError where a quadrature fails. Not thread-safe.
 class KernelIntegrals {
  public:
   explicit KernelIntegrals(const PiecewiseFunction& density, double rel_tolerance = 1e-12);
 
-  /// p, cut into pieces that the quadratures resolve (numerics::resolved).
+  /// p, cut into pieces that the quadrature rules resolve (numerics::resolved).
   const PiecewiseFunction& density() const { return density_; }
 
   /// PV∫ p(s)/(x − s) ds, a Cauchy principal value where x lies under p.
   ///
-  /// On each piece p's value c at the point nearest to x is split off, for which the integral is
-  /// c·ln|(x − begin)/(x − end)|; QAWC takes the rest. So the logarithms that two neighbouring
-  /// pieces have in common at a kink cancel before any rounding, and x may lie at a kink or as near
-  /// to it as one likes. Throws sys::InvalidQuantity at a jump of p, where the integral is
+  /// On each piece, the value c of p at the point nearest to x is split off; its integral is
+  /// c·ln|(x − begin)/(x − end)|, and QAWC integrates the rest. The logarithms that two
+  /// neighbouring pieces share at a kink therefore cancel before any rounding, and x may lie at a
+  /// kink or arbitrarily near it. Throws sys::InvalidQuantity at a jump of p, where the integral is
   /// infinite.
   Estimate cauchy(double x) const;
 
   /// ∫ p(s) ln(|x − s|/length) ds, length > 0 in the unit of s; any finite x.
   ///
-  /// The variable is t⁴ ∝ |x − s| where x is near, which makes the logarithm smooth, and p's value
-  /// at the point nearest to x is split off as above.
+  /// Near x the substitution |x − s| ∝ y⁴ makes the logarithm smooth, and the value of p at the
+  /// point nearest to x is split off as above.
   Estimate logarithmic(double x, double length) const;
 
   /// ∫ p(s) ds over s < x.
@@ -46,7 +46,7 @@ class KernelIntegrals {
  private:
   Estimate cauchy_regular_part(const Piece& piece, double nearest_value, double x) const;
 
-  // A part of a piece on one side of x: from its end near x, `distance` away, to its far end.
+  // The part of a piece on one side of x: from its near end, at `distance` from x, to its far end.
   struct Panel {
     const std::function<double(double)>& value;
     double near_end;

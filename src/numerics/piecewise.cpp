@@ -19,7 +19,7 @@ PiecewiseFunction::PiecewiseFunction(std::vector<Piece> pieces) : pieces_(std::m
     sys::require_finite("end of a piece", piece.end);
     if (piece.begin < previous_end) {
       throw sys::InvalidQuantity("begin of a piece", piece.begin,
-                                 "at or beyond the end of the last one");
+                                 "at or beyond the end of the piece before it");
     }
     if (!(piece.begin < piece.end)) {
       throw sys::InvalidQuantity("end of a piece", piece.end, "greater than its begin");
@@ -51,9 +51,9 @@ struct Sample {
 };
 using Samples = std::vector<Sample>;
 
-// Values of a piece at n places between begin and end, one in each of n equal cells. Where in its
-// cell is different each time (the fractions of multiples of the golden ratio), so that no wave
-// fits between.
+// Values of a piece at n places between begin and end, one in each of n equal cells. The position
+// within the cell varies (fractional parts of multiples of the golden ratio), so that no periodic
+// function escapes.
 Samples probes_between(const Piece& piece, double begin, double end, std::size_t n) {
   Samples probes;
   probes.reserve(n);
@@ -67,9 +67,9 @@ Samples probes_between(const Piece& piece, double begin, double end, std::size_t
   return probes;
 }
 
-// The polynomial in v through Chebyshev points of an interval, by the barycentric formula (Berrut &
-// Trefethen 2004, SIAM Rev. 46, 501). v is the place itself or, for a function that begins or ends
-// like a root, the angle whose cosine it is.
+// The polynomial in v through the Chebyshev points of an interval, by the barycentric formula
+// (Berrut & Trefethen 2004, SIAM Rev. 46, 501). v is the place itself or, for a function that
+// begins or ends like a square root, the angle whose cosine is the place.
 class Interpolant {
  public:
   enum class Variable { place, angle };
@@ -109,7 +109,7 @@ class Interpolant {
   Samples points_;
 };
 
-// Cuts a piece in halves until all probes are met by polynomials.
+// Halves a piece until polynomials match all probes.
 class Resolver {
  public:
   Resolver(const Piece& piece, double tolerance, std::vector<Piece>& parts)
@@ -129,17 +129,17 @@ class Resolver {
  private:
   static constexpr int most_halvings = 8;
 
-  // What is not resolved by then has a kink or a jump, down to which it is cut: QUADPACK's
-  // estimates may be too small across one. Where there are many, as in noise, they are kept.
+  // A part that is still unresolved contains a kink or a jump, across which QUADPACK's estimates
+  // may be too small: halve down to it, though at no more than a few places, as noise would need.
   void cut_at_kink(double begin, double end) {
     if (begin == piece_.begin) return cut_towards(begin, end);
     if (end == piece_.end) return cut_towards(end, begin);
     cut_down(begin, end);
   }
 
-  // At an end of the piece a root is better taken as a whole, by rules that extrapolate. A kink
-  // before it shows as the first half, of the halves that shrink towards the end, that no
-  // polynomial meets.
+  // At an end of the piece, rules that extrapolate handle a square root better in one piece. Halves
+  // that shrink towards the end show whether there is a kink before it: no polynomial meets the
+  // half with the kink.
   void cut_towards(double end, double far) {
     double outer = far;
     while (std::abs(end - outer) > shortest * length()) {
@@ -172,7 +172,7 @@ class Resolver {
     cut_further(middle, end);
   }
 
-  // Whether a polynomial of the place or of the angle meets the probes.
+  // Whether a polynomial in the place or in the angle matches the probes.
   bool is_resolved(double begin, double end, std::span<const Sample> probes) const {
     const auto meets_all = [&](const Interpolant& polynomial) {
       return std::ranges::all_of(probes, [&](const Sample& probe) {

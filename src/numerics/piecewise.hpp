@@ -8,7 +8,7 @@ namespace numerics {
 
 /// A smooth function on the closed interval [begin, end], begin < end.
 ///
-/// At an end `value` is the limit from inside, so neighbours may disagree there: that is a jump.
+/// At an end, `value` is the limit from inside. Neighbours that disagree there make a jump.
 struct Piece {
   double begin;
   double end;
@@ -17,22 +17,23 @@ struct Piece {
 
 /// A function that is smooth on each of finitely many intervals and zero elsewhere.
 ///
-/// The ends of the pieces are its only kinks and jumps; quadrature splits there.
+/// The ends of the pieces are its only kinks and jumps; quadrature splits the interval there.
 class PiecewiseFunction {
  public:
   /// The function that is zero everywhere.
   PiecewiseFunction() = default;
 
-  /// Pieces in rising order that may touch but not overlap; throws sys::InvalidQuantity otherwise.
+  /// The pieces are in rising order and may touch but not overlap; throws sys::InvalidQuantity
+  /// otherwise.
   explicit PiecewiseFunction(std::vector<Piece> pieces);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
   bool is_zero() const { return pieces_.empty(); }
 
-  /// The function's value at s; at a jump the mean of the two limits, outside all pieces zero.
+  /// The function's value at s: the mean of the two limits at a jump, zero outside all pieces.
   double operator()(double s) const;
 
-  /// The largest magnitude found at the ends and middles of the pieces: what tolerances refer to.
+  /// The largest magnitude at the ends and middles of the pieces, to which tolerances refer.
   double scale() const { return scale_; }
 
  private:
@@ -40,14 +41,14 @@ class PiecewiseFunction {
   double scale_ = 0;
 };
 
-/// The same function with pieces cut until each is nearly a polynomial, so that a quadrature that
-/// samples every piece cannot miss a narrow feature between its samples.
+/// The same function, cut into pieces that are each nearly a polynomial, so that a quadrature
+/// cannot miss a narrow feature between its abscissae.
 ///
-/// Each piece is probed at 4096 places, spread evenly but for a part that varies (fewer if there
-/// are many pieces, 65536 in all). It is cut in halves where a polynomial through 13 Chebyshev
-/// points, or one of 25 in the angle that turns roots at the ends into sines, misses a probe by
-/// more than 1e-12 of the greatest value. A part of 1/256 that still is not met has a kink, to
-/// which it is cut down. A feature narrower than the distance of two probes may be missed.
+/// Each piece is sampled at 4096 nearly even places (fewer if there are many pieces, 65536 in all).
+/// A part is halved until a polynomial matches its samples to 1e-12 of the greatest value: one
+/// through 13 Chebyshev points in s, or one through 25 in an angle that turns square roots at the
+/// ends into sines. A part of 1/256 that still does not match contains a kink, and is halved down
+/// to it. A feature narrower than the distance between two samples may be missed.
 PiecewiseFunction resolved(const PiecewiseFunction& function);
 
 }  // namespace numerics

@@ -38,7 +38,7 @@ Estimate Quadrature::run(Rule rule, gsl_function* f, const Interval& interval, I
                                     &value, &abs_error);
       break;
   }
-  // Where rounding stops it before the tolerance, the estimate says how far it came.
+  // If rounding stops the rule short of the tolerance, the estimate still bounds the error.
   constexpr double too_far_off = 1000;
   const bool is_finite = std::isfinite(value) && std::isfinite(abs_error);
   if (is_finite && (status == GSL_SUCCESS || abs_error <= too_far_off * abs_tolerance)) {

@@ -14,37 +14,36 @@
 
 namespace numerics {
 
-/// A quadrature that did not reach its tolerance. what() names the integral, where, and GSL's
+/// A quadrature that did not reach its tolerance. what() names the integral, the point and GSL's
 /// reason.
 class QuadratureError : public sys::ComputationError {
  public:
   using ComputationError::ComputationError;
 };
 
-/// What an error message calls an integral: its name and the point it was wanted at.
+/// The integral's name in error messages, and the point at which it is evaluated.
 struct IntegralName {
   std::string_view what;
   double at;
 };
 
-/// A Gauss–Kronrod rule by its number of points: few for what is nearly a polynomial.
+/// A Gauss–Kronrod rule by its number of points; few suffice for what is nearly a polynomial.
 enum class GaussKronrod : int { points_15 = GSL_INTEG_GAUSS15, points_31 = GSL_INTEG_GAUSS31 };
 
-/// QUADPACK's adaptive rules as GSL has them, with an owned workspace and statuses as exceptions.
+/// QUADPACK's adaptive rules from GSL, with their workspace; a failure throws.
 ///
-/// Each rule takes an integrand double(double), finite limits a < b and the absolute error asked
-/// for, and returns the integral with QUADPACK's error estimate; the estimate does not include the
-/// rounding of the sum, which the caller, who knows the magnitudes, adds. A result that is not
-/// finite, or whose estimate is a thousand times what was asked for, throws QuadratureError; what
-/// the integrand throws comes out. GSL's own error handler, which aborts, is switched off. Not for
-/// use by two threads at once: give each its own object.
+/// Each rule takes an integrand double(double), finite limits a < b and an absolute tolerance, and
+/// returns the integral with QUADPACK's error estimate. The estimate excludes the rounding of the
+/// sum; the caller, who knows the magnitudes, adds it. Throws QuadratureError for a result that is
+/// not finite or whose estimate exceeds a thousand tolerances; exceptions from the integrand pass
+/// through. GSL's own error handler, which aborts, is switched off. Not thread-safe: each thread
+/// needs its own object.
 class Quadrature {
  public:
   explicit Quadrature(std::size_t max_intervals = 1000);
 
   /// ∫ₐᵇ f(s) ds for f smooth inside: the nested 21/43/87-point Gauss–Kronrod–Patterson rules
-  /// (QNG), then, if f proves not so smooth or singular at an end, bisection with extrapolation
-  /// (QAGS).
+  /// (QNG); if these fail, as for an f singular at an end, bisection with extrapolation (QAGS).
   template <class F>
   Estimate smooth(F&& f, double a, double b, double abs_tolerance, IntegralName name) {
     return integrate(Rule::smooth, f, {a, b, abs_tolerance, 0}, name);
@@ -72,8 +71,8 @@ class Quadrature {
     double parameter;  // the Gauss–Kronrod rule or the pole
   };
 
-  // An integrand as GSL calls it. What it throws must not unwind through C: it is kept, the
-  // integral becomes NaN, and the exception goes on when GSL has returned.
+  // The integrand that GSL calls. An exception must not unwind through C: it is stored, the
+  // integral becomes NaN, and the exception is rethrown after GSL has returned.
   template <class F>
   struct Integrand {
     explicit Integrand(F& f) : callable(f), gsl{&Integrand::call, this} {}

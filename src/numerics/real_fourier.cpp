@@ -11,7 +11,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Without the care for infinities that makes operator* slow.
+// Multiplies without the checks for infinities that make operator* slow.
 Complex product(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -52,7 +52,7 @@ std::span<std::complex<double>> RealFourier::spectrum() {
   return {reinterpret_cast<Complex*>(buffer_.get()), size_ / 2 + 1};
 }
 
-// With m = n/2, z_j = signal_2j + i signal_{2j+1} and Z its transform, the even samples have the
+// With m = n/2, z_j = signal_2j + i signal_{2j+1} and its transform Z, the even samples have the
 // spectrum E_k = (Z_k + Z*_{m−k})/2, the odd ones O_k = (Z_k − Z*_{m−k})/(2i), and
 //   spectrum_k = E_k + w^k O_k,  spectrum_{m−k} = (E_k − w^k O_k)*,  w = exp(−2πi/n).
 void RealFourier::forward() {
@@ -70,7 +70,7 @@ void RealFourier::forward() {
   }
 }
 
-// The same backwards, twice as large: Z_k = 2(E_k + i O_k).
+// The inverse of the above, times two: Z_k = 2(E_k + i O_k).
 void RealFourier::backward() {
   const std::span<Complex> x = spectrum();
   const std::size_t m = size_ / 2;

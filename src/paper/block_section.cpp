@@ -10,7 +10,8 @@
 namespace paper {
 namespace {
 
-// The largest error of discretisation of a displacement at the points, over that in the middle.
+// The largest discretisation error of the displacements at the points, divided by the displacement
+// in the middle.
 double discretisation_error(const HalfSpaceCase& h, const block::RefinedSolution& solution) {
   double largest = 0;
   for (const double x : h.points) {
@@ -43,9 +44,9 @@ void compute_block(Document& document, const Case& from) {
       "block-discretisation",
       {Criterion::at_most("largest error over the displacement in the middle",
                           Value(error, scientific(1).rounded_up()).as_is(),
-                          Limit(2e-4, LimitKind::choice, "far less than what is read from them"))},
-      "the displacements of the block err by little; a higher "
-      "block.order or block.refine leaves less");
+                          Limit(2e-4, LimitKind::choice, "far below the differences discussed"))},
+      "the errors of the block's displacements are small; a higher block.order or block.refine "
+      "reduces them");
 
   const Estimate level = study.level(study.under_triangle(), 0);
   const double end = h.farthest_point();

@@ -11,17 +11,17 @@
 
 namespace paper {
 
-/// How much less than a half-space's the surface of a block on some supports is displaced, per unit
-/// of the load's resultant.
+/// The level: the displacement of a half-space's surface minus that of the block on some supports,
+/// per unit of the load's resultant.
 struct LevelUnder {
-  double in_the_middle, at_the_end;  ///< of the strip of the case
-  std::vector<double> at_points;     ///< of the case
+  double in_the_middle, at_the_end;  ///< of the case's loaded strip
+  std::vector<double> at_points;     ///< at the case's points
 };
 
-/// The same under a triangle on the strip and under a uniform pressure on it.
+/// The level under a triangle on the strip and under a uniform pressure on it.
 ///
-/// Between these two loads the level changes with the second moment of the load, which is twice as
-/// large for the uniform one, and with higher moments only by powers of (strip/block)⁴.
+/// Between these two loads the level varies with the second moment of the load, which is twice as
+/// large for the uniform pressure; higher moments matter only by powers of (strip/block)⁴.
 struct Level {
   std::string supports;
   LevelUnder triangle, uniform;
@@ -33,22 +33,22 @@ class BlockStudy {
   /// Throws as block::Analysis.
   BlockStudy(const HalfSpaceCase& half_space, const BlockCase& block_case);
 
-  /// The block as the case holds it.
+  /// The block on the case's supports.
   const block::SupportedBlock& own() const { return own_; }
 
-  /// The same under eq. (4), the load that the paper states.
+  /// The same block under eq. (4), the load that the paper states.
   const block::RefinedSolution& under_triangle() const { return under_triangle_; }
 
-  /// The block on any supports, factorised anew.
+  /// The block on other supports, factorised again.
   block::SupportedBlock on(const block::Supports& supports) const { return analysis_.on(supports); }
 
-  /// The level of the block on some supports under any load on about the strip of the case.
+  /// The level of a supported block under any load on roughly the strip of the case.
   Level level(const std::string& name, const block::SupportedBlock& supported) const;
 
-  /// Under that load in a block of `factor` times the width and height.
+  /// The solution under eq. (4) of a block `factor` times as wide and high.
   block::RefinedSolution enlarged(double factor) const;
 
-  /// How much less than by eq. (3) the surface at x is displaced under the triangle: a length.
+  /// u_z by eq. (3) minus that of the block under the triangle, at x on the surface; a length.
   Estimate level(const block::RefinedSolution& solution, double x) const;
 
  private:

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 Index require_edge_within(Index n_nodes, Index zero_node) {
   if (zero_node >= 3 && zero_node <= n_nodes) return zero_node;
   throw contact::ContactError(
-      fmt::format("the pressure of Contact.m becomes zero at node {}, which must be 3 to {}",
+      fmt::format("the pressure of Contact.m becomes zero at node {}: must be from 3 to {}",
                   zero_node, n_nodes));
 }
 
@@ -59,7 +59,7 @@ ContactM run_contact_m(const ContactCase& contact, const ContactMInput& input,
   VectorXd sides = VectorXd::Constant(nn, mended.mirror_images ? 2 : 1);  // repair 2
   sides[0] = 1;
 
-  // f, the displacement k nodes from a triangle of unit height; C(i,j), of node i by node j
+  // f: the displacement k nodes from a triangle of unit height; C(i,j): at node i due to node j
   const elasticity::TriangularLoad unit(1, c);
   const auto f = [&](Index k) {
     double x = static_cast<double>(k) * c;
@@ -71,7 +71,7 @@ ContactM run_contact_m(const ContactCase& contact, const ContactMInput& input,
   const MatrixXd influence = MatrixXd::NullaryExpr(
       nn, nn, [&](Index i, Index j) { return f(i - j) + (sides[j] > 1 ? f(i + j) : 0); });
 
-  // B(i,j) = C(1,j) − C(i,j), h(i) = x²/(2R); from node aa on p = 0; at last A Σp = P for row 1
+  // B(i,j) = C(1,j) − C(i,j), h(i) = x²/(2R); from node aa on, p = 0; finally row 1 is A Σp = P
   const auto pressure_up_to = [&](Index aa) -> VectorXd {
     MatrixXd b = influence.row(0).replicate(nn, 1) - influence;
     VectorXd h(nn);

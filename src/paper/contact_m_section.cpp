@@ -14,7 +14,7 @@
 namespace paper {
 namespace {
 
-// The program with the corrections up to one of them.
+// The program with all corrections up to one of them.
 struct Row {
   std::string change;
   ContactM program;
@@ -22,7 +22,8 @@ struct Row {
 
 constexpr ContactMRepairs all_repairs{true, true, true, true, true, true};
 
-// As printed; each correction with those before it; and the last on a grid four times as fine.
+// The program as printed, with one more correction per row, and finally on a grid four times as
+// fine.
 std::vector<Row> repair(const ContactCase& contact, ContactMInput input) {
   std::vector<Row> rows;
   ContactMRepairs mended;
@@ -59,12 +60,12 @@ double peak(const ContactM& program) {
   return *std::ranges::max_element(program.pressure);
 }
 
-// Where the pressure becomes zero.
+// The x at which the pressure becomes zero.
 double edge(const ContactM& program) {
   return program.x[static_cast<std::size_t>(program.zero_node - 1)];
 }
 
-// The load of all triangles, with their mirror images also where the program has none.
+// The load of all triangles and their mirror images, even if the program has none.
 double symmetric_load(const ContactM& program) {
   if (program.has_mirror_images) return program.line_load;
   return 2 * program.line_load - (program.x[1] - program.x[0]) * program.pressure[0];
@@ -91,8 +92,7 @@ double departure(const ContactM& program, const Hertz& hertz) {
 }
 
 // The largest error of the peak and the mean departure of the mended program, on grids of nearly
-// the given spacing between whose nodes the edge of the contact falls at every hundredth of a
-// spacing.
+// the given spacing that place the edge of the contact at every hundredth of a spacing.
 struct MendedErrors {
   double peak = 0, departure = 0;
 };
@@ -136,7 +136,7 @@ literate::Table repair_table(const std::vector<Row>& rows, const Hertz& hertz) {
   return table;
 }
 
-// One panel for each row whose pressure or whose Hertz differs from the last.
+// One panel for each row whose pressure or Hertz curve differs from the row before.
 Figure repair_figure(const std::vector<Row>& rows, const Hertz& hertz) {
   Figure figure{.width_cm = 15.2, .height_cm = 6.6};
   int number = 0;
@@ -160,7 +160,7 @@ Figure repair_figure(const std::vector<Row>& rows, const Hertz& hertz) {
   }
   figure.numbers["n_panels"] = number;
 
-  // p/p₀ = √(1 − x²/a²), even in the angle, so that the steep ends have points enough.
+  // p/p₀ = √(1 − x²/a²), evenly spaced in the angle, so that the steep ends have enough points.
   std::vector<double> hertz_x, hertz_pressure;
   constexpr int n = 200;
   for (int i = 0; i <= n; ++i) {
@@ -172,7 +172,7 @@ Figure repair_figure(const std::vector<Row>& rows, const Hertz& hertz) {
   return figure;
 }
 
-// What the listing says, and what it computes as it stands.
+// The input of the listing and its results as printed.
 void describe_listing(Document& document, const UnitSystem& units, const ContactMInput& input,
                       const std::vector<Row>& rows, const Hertz& hertz) {
   const ContactM& program = rows[printed].program;
@@ -197,7 +197,8 @@ void describe_listing(Document& document, const UnitSystem& units, const Contact
         scientific(1).rounded_up());
 }
 
-// Where p ≥ 0 puts the edge: in the program as printed, mended, and under the load of its Hertz.
+// The edge that p ≥ 0 gives: in the printed program, the mended one, and under the load of its
+// Hertz.
 void find_edges(Document& document, const ContactCase& contact, const ContactMInput& input,
                 const ContactM& mended) {
   ContactCase twice = contact;
@@ -210,7 +211,7 @@ void find_edges(Document& document, const ContactCase& contact, const ContactMIn
                  "with its own equations and $p \\ge 0$ Contact.m finds the edge that is typed in");
 }
 
-// The mended program against the right half of a symmetric grid of this report's solver.
+// Compares the mended program with the right half of a symmetric grid of this report's solver.
 void compare_mended(Document& document, const ContactCase& contact, const ContactMInput& input,
                     const ContactM& mended, const Hertz& hertz) {
   const Eigen::Index last = input.n_nodes - 1;
@@ -228,11 +229,11 @@ void compare_mended(Document& document, const ContactCase& contact, const Contac
   document.check(
       "contact-m-is-matrix-inversion",
       {Criterion::at_most("largest difference of the pressures over the peak", difference,
-                          Limit(1e-10, LimitKind::choice, "the same equations in another order"))},
+                          Limit(1e-10, LimitKind::choice, "the same equations in a different order"))},
       "Contact.m with every correction is matrix inversion on a symmetric grid");
 }
 
-// What it computes, for what it says that it computes.
+// Compares the printed program's results with what it claims to compute.
 void claim_program(Document& document, const ContactCase& c, const UnitSystem& units,
                    const ContactMInput& input, const ContactM& program, const Hertz& hertz) {
   const auto share = [](double number, const literate::Format& format) {
@@ -240,8 +241,7 @@ void claim_program(Document& document, const ContactCase& c, const UnitSystem& u
   };
   document.claim(
       "contact-m-load",
-      {.route = "the listed program, restored as it reached us, against Hertz under the load that "
-                "it is given",
+      {.route = "the listed program, restored as it reached us, against Hertz under the same load",
        .expected = Verdict::fails,
        .criteria = {
            Criterion::agrees_relatively(
@@ -267,8 +267,8 @@ void claim_mended(Document& document, const ContactCase& contact, const ContactM
   document.value("contact-m.finer-peak-error", finer_error);
   document.claim(
       "contact-m-mended",
-      {.route = "the corrected program on a hundred grids of about its own spacing, on which the "
-                "edge falls at every hundredth of a spacing, and on a hundred four times as fine",
+      {.route = "the corrected program on a hundred grids of about its own spacing, which place the "
+          "edge at every hundredth of a spacing, and on a hundred grids four times as fine",
        .expected = Verdict::holds,
        .criteria = {
            Criterion::at_most("largest relative error of the peak", error,

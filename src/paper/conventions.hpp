@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits that several sections share, and the few bounds that the report's numbers come with.
+// Limits and error bounds that several sections share.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace paper {
 
-/// What one would not see in a plot: a hundredth of what it shows.
+/// A difference invisible in a plot: a hundredth of what it shows.
 inline Limit less_than_a_plot_shows() {
   return Limit(1e-2, LimitKind::choice, "less than a plot shows");
 }
 
-/// What the paper calls nearly identical, or negligible, of curves that a plot compares.
+/// The difference of two plotted curves that the paper calls nearly identical, or negligible.
 inline Limit nearly_identical() {
   return Limit(3e-2, LimitKind::choice, "about what can be read off the axes of a plot");
 }
@@ -27,12 +27,12 @@ inline Criterion is_of_order(std::string what, const Number& order, double expec
           .counting(2));
 }
 
-/// A number for a table cell that prints the digits of its column, whatever its error.
+/// A number for a table cell that prints its column's digits, whatever its error.
 inline Estimate as_it_is(double number) {
   return {number, 0};
 }
 
-/// A printed number: half a unit of its last place.
+/// A printed number with an error of half a unit of its last place.
 inline Estimate as_estimate(const PrintedNumber& number) {
   return {number.value(), number.last_place() / 2};
 }
@@ -42,7 +42,7 @@ inline std::vector<double> values_of(const std::vector<PrintedNumber>& numbers) 
   return values;
 }
 
-/// u_z by eq. (3) and its gradient, with the accuracy that elasticity/triangular_load.hpp states.
+/// u_z by eq. (3) and its gradient, with the accuracy stated in elasticity/triangular_load.hpp.
 Estimate displacement(const HalfSpaceCase& c, double x);
 Estimate gradient(const HalfSpaceCase& c, double x);
 
@@ -51,16 +51,16 @@ inline double displacement_scale(const HalfSpaceCase& c) {
   return c.material.integral_compliance() * c.load.line_load();
 }
 
-/// a/b − 1, in per cent: how far the computed number a is off the printed one.
+/// a/b − 1, in per cent: the deviation of the computed number a from the printed number b.
 inline Estimate percent_off(Estimate a, const PrintedNumber& b) {
   return 100 * (a / as_estimate(b) - 1);
 }
 
-/// √(magnitude² − component²): the other component of a displacement of which two numbers are
-/// printed, as far as their last places leave it open.
+/// √(magnitude² − component²): the other component of a displacement from two printed numbers, with
+/// the error from their last places.
 Estimate other_component(const PrintedNumber& magnitude, const PrintedNumber& component);
 
-/// A column for abscissae, with the fewest decimals, at most nine, that print each of them exactly.
+/// A column of abscissae with the fewest decimals, at most nine, that print each of them exactly.
 Column column_of_points(const std::vector<double>& points, const std::string& unit);
 int decimals_of(const std::vector<double>& points);
 

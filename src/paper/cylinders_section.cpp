@@ -21,7 +21,7 @@ Problem problem_on(const ContactCase& c, const line_contact::Grid& grid) {
   return {c.cylinders.profile(), c.cylinders.contact_modulus(), grid};
 }
 
-// The pressure over p₀ against x/a of Hertz, and how far it is from Hertz where either touches.
+// p/p₀ over x/a of Hertz, and the difference from Hertz where either pressure is positive.
 Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
   std::vector<double> node_x, pressure, touching_x, difference;
   for (Eigen::Index i = 0; i < solution.grid.n_nodes; ++i) {
@@ -34,7 +34,7 @@ Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
     difference.push_back(error);
   }
   std::vector<double> hertz_x, hertz_pressure;
-  constexpr int n = 400;  // even in the angle, so that the steep ends have points enough
+  constexpr int n = 400;  // evenly spaced in the angle, so that the steep ends have enough points
   for (int i = 0; i <= n; ++i) {
     const double xi = -std::cos(std::numbers::pi * i / n);
     hertz_x.push_back(xi);
@@ -47,8 +47,8 @@ Figure pressure_figure(const Solution& solution, const Hertz& hertz) {
                    {"hertz", {{"x", hertz_x}, {"pressure", hertz_pressure}}}}};
 }
 
-// The relative errors against Hertz on the grid of the case, and the largest on grids between whose
-// nodes the edge of the contact lies at each hundredth of a spacing.
+// The relative errors against Hertz on the case's grid, and the largest on grids that place the
+// edge of the contact at every hundredth of a spacing.
 struct HertzErrors {
   double peak = 0, half_width = 0;
 };
@@ -77,8 +77,8 @@ Value rounded_up(double error) {
   return Value(error, scientific(2).rounded_up()).as_is();
 }
 
-// Peak and half-width against Hertz wherever the edge lies, and those of spheres if the case has
-// any.
+// Compares peak and half-width with Hertz wherever the edge lies, and those of spheres if the case
+// has any.
 void compare_with_hertz(Document& document, const Case& from, const Hertz& hertz,
                         const EdgeSweep& sweep) {
   const UnitSystem& units = from.units;
@@ -95,7 +95,7 @@ void compare_with_hertz(Document& document, const Case& from, const Hertz& hertz
         std::string(quantity) + (on_all ? " of cylinders" : " of spheres"),
         on_all ? *on_all : Value(on_grid, scientific(2)).as_is(),
         Limit(square, LimitKind::choice,
-              "$(c/a)^2$; at the peak linear interpolation errs by an eighth of it")));
+              "$(c/a)^2$; the error of linear interpolation at the peak is an eighth of it")));
   };
   const auto closed = [](double number, int n_digits, const std::string& unit) {
     return Value(number, significant(n_digits), unit).as_is();
@@ -120,13 +120,13 @@ void compare_with_hertz(Document& document, const Case& from, const Hertz& hertz
   document.value("cylinders.peak-error", peak);
   document.value("cylinders.width-error", half_width);
   document.claim("hertz-verifies",
-                 {.route = "relative errors against Hertz, of cylinders the largest wherever the "
-                           "edge of the contact lies between two nodes",
+                 {.route = "relative errors against Hertz; for cylinders the largest over all positions of the "
+                       "contact's edge between two nodes",
                   .expected = Verdict::holds,
                   .criteria = std::move(criteria)});
 }
 
-// The same discrete contact by three methods.
+// Solves the same discrete contact by three methods.
 void compare_methods(Document& document, const ContactCase& c, const Hertz& hertz,
                      const Problem& problem, const Solution& inversion) {
   double difference = 0;
@@ -144,7 +144,7 @@ void compare_methods(Document& document, const ContactCase& c, const Hertz& hert
       "three methods solve one discrete problem");
 }
 
-// Eq. (1a) in contact, eq. (1b) outside and equilibrium.
+// Checks eq. (1a) in contact, eq. (1b) outside, and equilibrium.
 void check_conditions(Document& document, const ContactCase& c, const Solution& solution,
                       const UnitSystem& units) {
   const contact::Residuals& r = solution.residuals;
@@ -211,7 +211,7 @@ void compute_cylinders(Document& document, const Case& from) {
   document.claim(
       "friction-small-loss",
       {.route = "Dundurs's second constant of the two materials of the paper: where it "
-                "is zero, friction changes neither the pressure nor the place and width "
+                "is zero, friction changes neither the pressure nor the position and width "
                 "of the contact",
        .expected = Verdict::holds,
        .criteria = {Criterion::agrees(

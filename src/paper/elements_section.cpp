@@ -24,7 +24,7 @@ using line_contact::Solution;
 constexpr double inner_part = 0.9;  // of the half-width, where the pressure is smooth
 constexpr double domain = 2.2;      // half-widths that a grid covers
 
-// An order of convergence, or a factor, with the standard uncertainty that its scatter gives.
+// An order of convergence or a factor, with the standard uncertainty from its scatter.
 struct Scattered {
   double value, standard;
 
@@ -39,7 +39,7 @@ Scattered mean_of(const std::vector<double>& values) {
   return {sum / n, std::sqrt(squares / (n - 1) / n)};
 }
 
-// The r of errors that go with elements^−r.
+// The order r of errors proportional to elements^−r.
 Scattered order_of(const std::vector<double>& elements, const std::vector<double>& errors) {
   const numerics::PowerLaw law = numerics::fit_power(elements, errors);
   return {law.order, law.order_standard};
@@ -50,7 +50,7 @@ Solution solve(const ContactCase& c, const Grid& grid, Element element) {
       {c.cylinders.profile(), c.cylinders.contact_modulus(), grid, element}, c.line_load, 1e-12);
 }
 
-// A grid of n nodes on which the half-width has `more` elements, 0 to 1, than n/domain.
+// A grid of n nodes with n/domain + `more` elements over the half-width, 0 ≤ more ≤ 1.
 Grid grid_with(const Hertz& hertz, long n_nodes, double more) {
   return {.n_nodes = n_nodes,
           .spacing = hertz.half_width() / (static_cast<double>(n_nodes) / domain + more)};
@@ -79,13 +79,13 @@ NodalErrors errors_at_nodes(const Hertz& hertz, const Solution& solution) {
   return {std::sqrt(squares / n_inside), solution.half_width() / hertz.half_width() - 1, greatest};
 }
 
-// The errors at one spacing for many places of the edge between two nodes, at every other one of
-// which the middle of the contact is a node.
+// The errors at one spacing for many positions of the edge between two nodes. In every other one
+// the middle of the contact is a node.
 struct AtSpacing {
   double elements = 0;  // a/c, the geometric mean
   std::vector<NodalErrors> errors;
 
-  // The root mean square of an error, of every second or of all places.
+  // The root mean square of an error over every `step`-th position from `first` on.
   double mean(std::size_t which, std::size_t first = 0, std::size_t step = 1) const {
     double squares = 0;
     int n = 0;
@@ -125,8 +125,9 @@ Scattered order_of(const Study& study, std::size_t which) {
   return order_of(elements, errors);
 }
 
-// A mean over the spacings, uncertain by their scatter and by half of what every second place
-// changes: the places are the same at each spacing, so that the mean does not lessen the latter.
+// A mean over the spacings. Its uncertainty combines their scatter with half the difference between
+// even and odd positions, which averaging does not reduce because the positions are the same at
+// each spacing.
 template <class Found>
 Scattered mean_over(const Study& study, const Found& found) {
   std::vector<double> all;
@@ -176,9 +177,9 @@ void compare_at_nodes(Document& document, const Study& triangular, const Study& 
   count("elements.finest", triangular.back());
   document.claim(
       "pressure-at-the-nodes",
-      {.route = "root mean squares of the errors against Hertz over many places of the edge, with "
-                "and without a node in the middle, on grids of 60 to 400 elements over the "
-                "half-width",
+      {.route = "root mean squares of the errors against Hertz over many positions of the edge, with "
+          "and without a node in the middle, on grids of 60 to 400 elements over the "
+          "half-width",
        .expected = Verdict::holds,
        .criteria = {
            is_of_order("order of the error inside, triangles",
@@ -192,13 +193,13 @@ void compare_at_nodes(Document& document, const Study& triangular, const Study& 
 
 // --- Between the nodes
 
-// Mean |errors| over |x| ≤ 0.9 a: of the slope of the surface, over a/R, and of the greatest shear
-// half a spacing below it, over p₀.
+// Mean absolute errors over |x| ≤ 0.9 a: of the surface slope, relative to a/R, and of the greatest
+// shear half a spacing beneath it, relative to p₀.
 struct BetweenErrors {
   double slope, shear;
 };
 
-// The stress beneath the elements of a solution, uniform ones as strips.
+// The stress beneath a solution; uniform elements are strips.
 elasticity::Stress stress_at(const Solution& solution, double x, double z) {
   if (solution.element == Element::triangular) return line_contact::stress_beneath(solution, x, z);
   const Grid& grid = solution.grid;
@@ -212,9 +213,8 @@ elasticity::Stress stress_at(const Solution& solution, double x, double z) {
   return sum;
 }
 
-// By the midpoint rule with so many points to an element, on one side, of which the other is the
-// image. At the ends of uniform elements the slope is infinite like a logarithm; no point lies
-// there.
+// Uses the midpoint rule with n_points per element, on one side only because of symmetry. At the
+// ends of uniform elements the slope has a logarithmic singularity; no point lies there.
 BetweenErrors mean_errors(const ContactCase& c, const Hertz& hertz, const Solution& solution,
                           int n_points) {
   const line_contact::McEwen mcewen(hertz);
@@ -238,7 +238,8 @@ BetweenErrors mean_errors(const ContactCase& c, const Hertz& hertz, const Soluti
   return {sum.slope / n, sum.shear / n};
 }
 
-// The midpoint rule errs beside a logarithm in proportion to the distance of its points.
+// Beside a logarithmic singularity the error of the midpoint rule is proportional to the distance
+// of its points; extrapolation removes it.
 BetweenErrors errors_between_nodes(const ContactCase& c, const Hertz& hertz,
                                    const Solution& solution) {
   const BetweenErrors coarse = mean_errors(c, hertz, solution, 8);

@@ -12,7 +12,7 @@
 namespace paper {
 namespace {
 
-// What doubling the distance of the datum adds to every displacement near the load.
+// The increase of every displacement near the load if the distance of the datum is doubled.
 double shift_of_doubling(const HalfSpaceCase& c) {
   return normal_displacement(c.material, c.load, 0, c.datum) -
          normal_displacement(c.material, c.load, 0, c.datum / 2);
@@ -27,16 +27,16 @@ void claim_datum(Document& document, const HalfSpaceCase& c, const PrintedData& 
   const Estimate shift = abs(displacement - nearer.normal_displacement(end));
   document.claim(
       "insensitive-to-c",
-      {.route = "eq.~(2) by quadrature less the printed FEA $z$ at the last point, for the datum "
-                "given and for one at half of its distance",
+      {.route = "eq.~(2) by quadrature minus the printed FEA $z$ at the last point, for the given "
+          "datum and for one at half its distance",
        .expected = Verdict::fails,
        .criteria = {Criterion::at_most("change of the error over the error",
                                        Value(shift / difference, percent(0)),
                                        less_than_a_plot_shows())}});
 }
 
-// Far from the load the slope depends on the resultant alone: the ratio of the two printed columns'
-// slopes, between neighbours among the last points.
+// The ratio of the two printed columns' slopes between neighbours among the last points. Far from
+// the load the slope depends only on the resultant.
 std::vector<Estimate> slope_ratios(const PrintedFigure5& printed) {
   constexpr std::size_t n_last = 5;
   std::vector<Estimate> ratios;
@@ -69,8 +69,7 @@ void compare_resultants(Document& document, const HalfSpaceCase& c, const UnitSy
           Value(with, significant(3), units.line_load),
           Limit(2e-2, LimitKind::choice,
                 "the shapes of the two loads may change the ratio by $(a/x)^2/6$, and the mesh of "
-                "the "
-                "run is not known")));
+                "the run is unknown")));
     }
     return Criterion::in_each("load that follows from the slopes", "pairs of points", pairs);
   };

@@ -53,8 +53,8 @@ double FallingPressure::displacement(const elasticity::Material& material, doubl
                                      double datum) const {
   double sum = values_.back() *
                normal_displacement(material, elasticity::UniformLoad(1, half_width_), x, datum);
-  // A triangle of height w on |x| ≤ b adds −w/b to the slope on [0, b]: from the outermost piece
-  // inwards, each brings what the pieces outside of it leave over.
+  // A triangle of height w on |x| ≤ b adds −w/b to the slope on [0, b]. From the outermost piece
+  // inwards, each triangle adds the slope still missing.
   double slope_so_far = 0;
   for (std::size_t k = nodes_.size() - 1; k > 0; --k) {
     const double slope = (values_[k] - values_[k - 1]) / (nodes_[k] - nodes_[k - 1]);
@@ -91,7 +91,7 @@ double FallingPressure::largest_shear() const {
     return std::abs(elasticity::stress_beneath(nodes, values, x, z).xz);
   };
 
-  // It lies beneath the end of the strip, at most a half-width deep.
+  // The maximum lies beneath the end of the strip, at most a half-width deep.
   constexpr int n = 5;         // steps to either side
   constexpr double finer = 3;  // from one grid to the next
   double best = 0, best_x = 0.75 * half_width_, best_z = 0.5 * half_width_;

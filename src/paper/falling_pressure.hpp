@@ -9,13 +9,13 @@
 
 namespace paper {
 
-/// A pressure p(x) = end + (middle − end) f(|x|/a) on |x| ≤ a that is the same on both sides, with
-/// f(0) = 1. It is made linear between nodes, which are closest in the middle and at the ends, and
-/// so is a sum of triangles of eq. (4), each with a half-width of its own, and a uniform part.
+/// A symmetric pressure p(x) = end + (middle − end) f(|x|/a) on |x| ≤ a, with f(0) = 1. It is
+/// linearised between nodes, which are densest in the middle and at the ends, and is therefore a
+/// sum of triangles of eq. (4) with different half-widths and a uniform part.
 class FallingPressure {
  public:
-  /// f on [0, 1]; middle and end are stresses, half_width > 0 a length. Of a curved f the resultant
-  /// is right to 1e-4.
+  /// f on [0, 1]; middle and end are stresses, half_width > 0 a length. For a curved f the
+  /// resultant is accurate to 1e-4 relative.
   FallingPressure(const std::function<double(double)>& f, double middle, double end,
                   double half_width);
 
@@ -27,16 +27,16 @@ class FallingPressure {
   /// ∫ x² p dx over the resultant, a length squared.
   double second_moment() const;
 
-  /// u_z of a half-space's surface with u_z(datum) = 0, a length: eq. (3) for each triangle and the
-  /// closed form of the uniform part.
+  /// u_z at the surface of a half-space with u_z(datum) = 0, a length: eq. (3) for each triangle
+  /// plus the closed form of the uniform part.
   double displacement(const elasticity::Material& material, double x, double datum) const;
 
-  /// ½∫ p u dx over the loaded strip, energy per unit thickness, for a displacement u(x) of the
-  /// surface that is the same on both sides.
+  /// ½∫ p u dx over the loaded strip, energy per unit thickness, for a symmetric displacement u(x)
+  /// of the surface.
   double work(const std::function<double(double)>& u) const;
 
-  /// The largest |σ_xz| in a half-space, a stress: by a grid and ever finer ones around its best
-  /// point, to 1e-5 of itself.
+  /// The largest |σ_xz| in a half-space, a stress, accurate to 1e-5 relative: searched on ever
+  /// finer grids around the best point.
   double largest_shear() const;
 
   elasticity::Load load() const;

@@ -11,7 +11,7 @@
 namespace paper {
 namespace {
 
-// Nodes over an elliptic pressure, as many as can be told apart in print.
+// An elliptic pressure with as many nodes as remain distinct in print.
 Figure elements() {
   constexpr int n_each_side = 5;
   constexpr int shown = 2;  // the node whose p_j and c are labelled
@@ -48,7 +48,7 @@ Figure gradients(const HalfSpaceCase& half_space) {
   const auto concentrated = surface_under(elasticity::ConcentratedLoad(resultant));
 
   std::vector<double> x, under_triangle, under_uniform, under_force;
-  constexpr int n = 601;  // odd, and no abscissa at 0 or ±a, where two of the three are infinite
+  constexpr int n = 601;  // odd; no abscissa but 0 falls on a singularity of the three
   for (int i = 0; i < n; ++i) {
     const double xi = 3.003 * (2.0 * i / (n - 1) - 1);
     const bool is_middle = 2 * i + 1 == n;

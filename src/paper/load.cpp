@@ -28,7 +28,7 @@ Estimate printed_magnitude(const PrintedData& printed, const char* name) {
   return abs(as_estimate(measure(printed, name)));
 }
 
-// What the report needs of the run in all of this file.
+// The numbers of the run that this file needs.
 struct Run {
   const Case& from;
   const PrintedData& printed = *from.printed_data;
@@ -52,7 +52,7 @@ struct Candidate {
 
 // --- The linear fall
 
-// Middle and end of a linear fall with their uncertainties, when their sum is known.
+// The middle of a linear fall with its standard uncertainty, given the sum of middle and end.
 struct HeldFall {
   double middle, standard;
 };
@@ -68,8 +68,8 @@ HeldFall held_to(const FittedLoad& fall, double sum) {
           std::sqrt(variance - with_sum * with_sum / of_both)};
 }
 
-// The linear fall fitted to the displacements alone, with the resultant held, with the largest
-// vertical stress as a further observation, and with its half-width fitted.
+// Tabulates the linear fall fitted to the displacements alone, with the resultant held, with the
+// largest vertical stress as a further observation, and with its half-width fitted.
 void tabulate_linear_fits(Document& document, const Run& run, const FittedLoad& fall,
                           const FittedLoad& any_width) {
   const auto& [from, printed, h, units, a, resultant, energy, shear] = run;
@@ -131,9 +131,8 @@ void tabulate_linear_fits(Document& document, const Run& run, const FittedLoad& 
                                     .as_is());
   document.claim(
       "load-width",
-      {.route =
-           "a linear fall of which both pressures and the half-width are fitted to the printed "
-           "displacements",
+      {.route = "a linear fall with both pressures and the half-width fitted to the printed "
+        "displacements",
        .expected = Verdict::holds,
        .criteria = {Criterion::agrees_relatively(
            "half-width", Value(any_width.half_width, uncertain(), units.length),
@@ -144,13 +143,13 @@ void tabulate_linear_fits(Document& document, const Run& run, const FittedLoad& 
 
 // --- Round numbers
 
-// The stated peak falls linearly to what the printed resultant leaves for the ends.
+// A linear fall from the stated peak, with the ends that the printed resultant requires.
 FallingPressure round_load(const Run& run) {
   const double peak = run.h.load.peak_pressure();
   return linear_fall(peak, run.resultant / run.a - peak, run.a);
 }
 
-// Eq. (4) with another half-width, cut off at the stated one.
+// Eq. (4) with a larger half-width, cut off at the stated one.
 FallingPressure cut_off(const Run& run, double half_width) {
   const double peak = run.h.load.peak_pressure();
   return linear_fall(peak, peak * (1 - run.a / half_width), run.a);
@@ -174,7 +173,7 @@ void describe_round_load(Document& document, const Run& run, const LoadFitting& 
       Value((peak - stress) / printed.appendix2.stress_error.rms.value(), significant(2)).as_is());
 
   const double width = a * peak / (peak - end);
-  const double step = 1e-3;  // a unit of the last place of the half-width as the paper prints it
+  const double step = 1e-3;  // a unit of the last place of the printed half-width
   const auto share = [&](double w) { return fitting.unfitted(cut_off(run, w)).largest_share(); };
   document.value("fit.cut-half-width", Value(width, significant(2), units.length).as_is());
   document.value("fit.cut-narrower", Value(width - step, significant(2), units.length).as_is());
@@ -184,18 +183,18 @@ void describe_round_load(Document& document, const Run& run, const LoadFitting& 
 
   document.claim(
       "round-load-fits",
-      {.route = "the block under this load, not fitted, on the supports assumed",
+      {.route = "the block under this load, not fitted, on the assumed supports",
        .expected = Verdict::holds,
        .criteria = {
            Criterion::at_most(
                "largest misfit of a displacement, over its printed convergence",
                Value(round.largest_share(), significant(2)).as_is(),
-               Limit(1, LimitKind::data, "the convergence as it is printed, with one decimal")),
+               Limit(1, LimitKind::data, "the convergence as printed, with one decimal")),
            Criterion::agrees_relatively(
                "strain energy", Value(fitting.energy(load), scientific(4), units.force).as_is(),
                Value(printed_magnitude(printed, "strain_energy"), significant(7), units.force),
                Limit(convergence(printed, "strain_energy"), LimitKind::data,
-                     "the convergence of the energy as it is printed, with one decimal"))}});
+                     "the convergence of the energy as printed, with one decimal"))}});
 }
 
 // --- Other loads
@@ -263,9 +262,8 @@ void tabulate_loads(Document& document, const Run& run, const std::vector<Candid
   document.table(table);
 }
 
-// All loads of the five shapes, alone or added to a uniform pressure that is not negative, that
-// meet every displacement: with the stated half-width, and with others in steps of a hundredth of
-// it.
+// All loads that match every displacement: of the five shapes, alone or with a non-negative uniform
+// pressure, with half-widths in steps of a hundredth of the stated one.
 struct MeetingLoads {
   std::vector<FittedLoad> loads;
   double least_width = HUGE_VAL, most_width = 0;
@@ -285,13 +283,13 @@ MeetingLoads loads_that_meet(const Run& run, const LoadFitting& fitting) {
       }
     }
   }
-  if (meeting.loads.empty()) {  // there must be something to print
+  if (meeting.loads.empty()) {  // print the best fit instead
     meeting = {{fitting.fit(triangle, false, run.a, Width::held)}, run.a, run.a};
   }
   return meeting;
 }
 
-// What the displacements leave open.
+// The range of loads that the displacements cannot distinguish.
 void claim_shape(Document& document, const Run& run, const LoadFitting& fitting,
                  const std::vector<Candidate>& rows) {
   const UnitSystem& units = run.units;
@@ -317,7 +315,7 @@ void claim_shape(Document& document, const Run& run, const LoadFitting& fitting,
   }
   document.value("loads.n-met", Value(std::ssize(met), integer()));
   const Criterion several = Criterion::at_least(
-      "number of fitted loads that meet all displacements", Value(std::ssize(met), integer()),
+      "number of fitted loads that match all displacements", Value(std::ssize(met), integer()),
       Limit(2, LimitKind::data, "a single one would mean that the load is known"));
   if (met.empty()) met.push_back(&*std::ranges::find_if(rows, &Candidate::is_fitted));
   const auto [lowest, highest] = std::ranges::minmax_element(
@@ -330,11 +328,11 @@ void claim_shape(Document& document, const Run& run, const LoadFitting& fitting,
   document.claim(
       "shape-undecided",
       {.route = "the pressures fitted for each shape, with the half-width held and fitted, on the "
-                "supports assumed",
+          "assumed supports",
        .expected = Verdict::holds,
        .criteria = {several,
                     Criterion::at_least(
-                        "the largest of their peaks over the smallest, less 1",
+                        "the largest of their peaks over the smallest, minus 1",
                         Value(number_with(ratio - 1, standard), uncertain().in_percent()),
                         Limit(0.05, LimitKind::choice, "ten times the run's own stress error")
                             .counting(2))}});
@@ -368,7 +366,7 @@ void describe_run_numbers(Document& document, const Run& run, const BlockStudy& 
   document.value("fit.triangle.most", Value(high, percent(0)));
 }
 
-// The displacements of the finite elements under the inferred load beside those by the level.
+// Compares the finite-element displacements under the inferred load with those from the level.
 void check_level(Document& document, const Run& run, const BlockStudy& study,
                  const FittedLoad& fall) {
   const block::RefinedSolution solution = study.own().solve(fall.pressure.load());
@@ -386,8 +384,8 @@ void check_level(Document& document, const Run& run, const BlockStudy& study,
           "largest relative difference of a displacement",
           Value(largest, scientific(1).rounded_up()).as_is(),
           Limit(1e-4, LimitKind::choice, "a tenth of the least printed convergence"))},
-      "under the inferred load finite elements displace the block as the half-space less "
-      "the level");
+      "under the inferred load, the finite-element displacements of the block are those of the "
+      "half-space minus the level");
 }
 
 }  // namespace
@@ -418,7 +416,7 @@ FallingPressure infer_load(Document& document, const Case& from, const BlockStud
       Value(fitting.fit(triangle, true, run.a, Width::fitted).largest_share(), significant(2))
           .as_is());
 
-  // The linear fall with the printed resultant held.
+  // The greatest misfit of the linear fall with the printed resultant held.
   const auto held_share = [&](const Level& level) {
     const LoadFitting on(run.h, run.printed, level);
     const double sum = run.resultant / run.a;

@@ -30,12 +30,13 @@ LoadFitting::LoadFitting(const HalfSpaceCase& h, const PrintedData& printed, Lev
   }
 }
 
-// How far the load is, by its second moment, from the triangle, a²/6, to the uniform one, a²/3.
+// The position of the load's second moment between the triangle's, a²/6, and the uniform load's,
+// a²/3.
 double LoadFitting::share_of_uniform(const FallingPressure& pressure) const {
   return 6 * pressure.second_moment() / std::pow(h_.load.half_width(), 2) - 1;
 }
 
-// The displacements at the points over those observed.
+// The computed displacements at the points divided by those observed.
 VectorXd LoadFitting::ratios(const FallingPressure& pressure) const {
   const double load = pressure.line_load();
   const double share = share_of_uniform(pressure);
@@ -98,8 +99,8 @@ FittedLoad LoadFitting::fit(const Shape& shape, bool alone, double half_width, W
       numbers = solve(design);
       if (std::abs(change) < 1e-9 * a) break;
     }
-    // At a point beside the end of the load the derivative is that of a logarithm: the covariance
-    // takes it over a step of about the uncertainty.
+    // Beside the end of the load the derivative is logarithmic, so the covariance uses a difference
+    // over a step of about the uncertainty.
     design = with_width(1e-2);
   }
 

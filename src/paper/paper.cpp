@@ -11,19 +11,19 @@
 namespace paper {
 namespace {
 
-// What the commands can compute, and what a sentence of the report would not be true of.
+// Rejects cases that the commands can compute but for which a sentence of the report is false.
 void require_reportable(const parameters::Case& c) {
   const auto table = [&](const char* name) {
-    return config::Table::parse_file(c.file).table(name);  // which knows the place of the number
+    return config::Table::parse_file(c.file).table(name);  // has the position of the number
   };
   const double half_width = c.half_space.load.half_width();
   if (c.half_space.datum < half_width) {
     table("half_space")
-        .fail("datum", fmt::format("{0} {1}: must be at least half_space.load.half_width, {2:.6g} "
+        .fail("datum", fmt::format("{0:.6g} {1}: must be at least half_space.load.half_width, {2:.6g} "
                                    "{1}, for the report",
                                    c.half_space.datum, c.units.length, half_width));
   }
-  constexpr long most_nodes = 401;  // its references are dense
+  constexpr long most_nodes = 401;  // the reference methods are dense
   if (c.contact.n_nodes > most_nodes) {
     table("contact").fail("nodes", fmt::format("{}: must be at most {} for the report",
                                                c.contact.n_nodes, most_nodes));
@@ -39,7 +39,7 @@ std::string compute(Document& document, const parameters::Case& from_file) {
   if (from.printed_data) {
     const std::string other = difference_from_paper(from_file, *from.printed_data);
     if (!other.empty()) {
-      log = fmt::format("{}: {}; sections about what the paper prints are left out",
+      log = fmt::format("{}: {}; the report omits the sections about the paper's numbers",
                         from.file.string(), other);
       from.printed_data.reset();
     }

@@ -11,19 +11,19 @@
 
 namespace paper {
 
-/// All that a section computes from: the case and, if it is the paper's own, what the paper prints.
+/// The input of a section: the case and, for the paper's own case, the printed data.
 struct Case : parameters::Case {
   std::optional<PrintedData> printed_data;
 };
 
-/// A section that computes something. Its prose is report/sections/NAME.tex, with - for _, and its
-/// function, compute_NAME, is in NAME_section.cpp. It leaves out what the case does not have.
+/// A section with computed results. Its prose is report/sections/NAME.tex, with - for _, and its
+/// function, compute_NAME, is in NAME_section.cpp. It skips the parts that the case lacks.
 struct Section {
   std::string name;
   void (*compute)(Document& document, const Case& from);
 };
 
-/// All of them in the order of the report, which numbers the claims.
+/// All sections in the order of the report, which numbers the claims.
 const std::vector<Section>& sections();
 
 void compute_formulation(Document& document, const Case& from);
@@ -37,12 +37,12 @@ void compute_contact_m(Document& document, const Case& from);
 void compute_elements(Document& document, const Case& from);
 void compute_spheres(Document& document, const Case& from);
 
-/// Computes all that the report says about a case and registers it with the document.
+/// Computes all results of the report for a case and registers them with the document.
 ///
-/// What concerns the paper's own numbers is registered only for the paper's case (flag `printed`),
-/// what concerns a block or spheres only if the case has them (flags `block`, `point-contact`).
-/// Returns what the log should say about the case: empty, or why the sections about the print are
-/// left out. Throws config::Error for a case of which the report cannot be made.
+/// Results about the paper's own numbers are registered only for the paper's case (flag `printed`),
+/// those about a block or spheres only if the case has them (flags `block`, `point-contact`).
+/// Returns a line for the log: empty, or the reason for omitting the sections about the print.
+/// Throws config::Error for a case that the report cannot handle.
 std::string compute(Document& document, const parameters::Case& from_file);
 
 }  // namespace paper

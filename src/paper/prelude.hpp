@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names that every section of this report uses: what the engine registers and prints, numbers
-// with their errors, and the parts of a case.
+// The names that every section of this report uses: those of the engine, of numbers with errors,
+// and of the parts of a case.
 #pragma once
 
 #include <string>

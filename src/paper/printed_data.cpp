@@ -16,7 +16,7 @@ std::vector<PrintedNumber> column(const config::Table& table, const std::string&
                                   std::size_t n_points) {
   std::vector<PrintedNumber> numbers = parameters::printed_numbers(table, key);
   if (numbers.size() != n_points) {
-    table.fail(key, fmt::format("{} numbers for {} points", numbers.size(), n_points));
+    table.fail(key, fmt::format("{} numbers: must be {}, one per point", numbers.size(), n_points));
   }
   return numbers;
 }
@@ -39,7 +39,7 @@ PrintedTriDist read_tri_dist(const config::Table& table, std::size_t n_points) {
           column(table, "displacement", n_points)};
 }
 
-// Numbers under any names, of which the report needs some.
+// Numbers under any names, some of which the report needs.
 Numbers read_numbers(const config::Table& table, const std::vector<std::string>& needed) {
   Numbers numbers;
   for (const std::string& key : table.keys()) numbers.emplace(key, parameters::printed_number(table, key));
@@ -74,7 +74,7 @@ PrintedContactM read_contact_m(const config::Table& table) {
           typed("datum"), typed("spacing"), typed("n_nodes"), typed("zero_node")};
 }
 
-// «half_space.datum, 3 in, is not the paper's 10», or nothing.
+// Returns "half_space.datum, 3 in, is not the paper's 10", or nothing.
 std::string differs(const std::string& key, double number, const PrintedNumber& printed,
                     const std::string& unit) {
   constexpr double rounding = 1e-12;
@@ -92,7 +92,7 @@ std::string differs_in_points(const std::vector<double>& points,
   return agree ? "" : "half_space.points are not those of the paper's Fig. 5";
 }
 
-// The run's summary prints no dimensions; they follow from the mass and the moments of inertia.
+// The run's summary has no dimensions; they follow from the mass and the moments of inertia.
 std::string differs_in_block(const parameters::Case& c, const PrintedAppendix2& printed) {
   if (!c.block) return "there is no [block]";
   if (c.block->sides != block::Support::clamped) return "block.sides are not clamped";

@@ -13,7 +13,7 @@ namespace {
 
 using elasticity::SurfaceQuadrature;
 
-// A quadrature beside the closed form at one point.
+// A quadrature and the closed form at one point.
 struct Comparison {
   Estimate quadrature;
   Estimate closed_form;
@@ -33,18 +33,18 @@ Comparisons compare(const std::vector<double>& points, const Quadrature& quadrat
 constexpr int nearest_decade = -4;
 constexpr int farthest_decade = 4;
 
-// Points over these decades of half-widths, thirteen a decade; the kink at x = a is one of them.
+// Points over these decades of half-widths, thirteen per decade; one is the kink at x = a.
 std::vector<double> wide_points(double half_width) {
   std::vector<double> points;
-  constexpr int n_a_decade = 13;
-  for (int i = 0; i <= n_a_decade * (farthest_decade - nearest_decade); ++i) {
+  constexpr int n_per_decade = 13;
+  for (int i = 0; i <= n_per_decade * (farthest_decade - nearest_decade); ++i) {
     points.push_back(half_width *
-                     std::pow(10.0, nearest_decade + i / static_cast<double>(n_a_decade)));
+                     std::pow(10.0, nearest_decade + i / static_cast<double>(n_per_decade)));
   }
   return points;
 }
 
-// The load of the case, which counts how often it is evaluated.
+// The load of the case, counting its evaluations.
 elasticity::Load counted(const HalfSpaceCase& c, const std::shared_ptr<long>& n_evaluations) {
   const elasticity::Load load = c.load;
   std::vector<numerics::Piece> pieces;
@@ -59,7 +59,7 @@ elasticity::Load counted(const HalfSpaceCase& c, const std::shared_ptr<long>& n_
   return counting;
 }
 
-// How often the load is evaluated for one point, on average over the points of the case.
+// The number of evaluations of the load per point, averaged over the points of the case.
 template <class Quadrature>
 long n_evaluations(const HalfSpaceCase& c, const Quadrature& evaluate) {
   const auto n = std::make_shared<long>(0);
@@ -81,7 +81,7 @@ double largest_reported(const Comparisons& comparisons, double unit) {
   return largest / unit;
 }
 
-// At each point the difference from the closed form, over the errors of both.
+// The difference from the closed form at each point, relative to the errors of both.
 Criterion within_errors(const std::vector<const Comparisons*>& all) {
   std::vector<Criterion> shares;
   for (const Comparisons* comparisons : all) {

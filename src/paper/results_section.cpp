@@ -11,7 +11,7 @@
 namespace paper {
 namespace {
 
-// Eq. (3) as a curve and at the points, for a case without print.
+// Eq. (3) as a curve and at the points, for a case without printed data.
 void show_displacement(Document& document, const HalfSpaceCase& c, const UnitSystem& units) {
   std::vector<double> curve_x, u_z;
   constexpr int n = 300;
@@ -31,13 +31,13 @@ void show_displacement(Document& document, const HalfSpaceCase& c, const UnitSys
   document.table(table);
 }
 
-// The abscissa that Tri_dist.m uses for a point: off the two at which it would take ln 0.
+// The abscissa that Tri_dist.m uses for a point: offset from the two at which it would take ln 0.
 double abscissa(const HalfSpaceCase& c, const PrintedTriDist& printed, double x) {
   const bool is_singular = x == 0 || std::abs(x - c.load.half_width()) < 1e-9 * c.load.half_width();
   return is_singular ? x + printed.step.value() : x;
 }
 
-// How far a number is from one that is printed, which it must round to.
+// Checks that a computed number rounds to the printed one.
 Criterion rounds_to_print(const PrintedNumber& printed, Estimate computed) {
   const Estimate distance = abs(computed - printed.value()) / printed.last_place();
   return Criterion::at_most(
@@ -45,7 +45,7 @@ Criterion rounds_to_print(const PrintedNumber& printed, Estimate computed) {
       Limit(0.5, LimitKind::data, "the computed value rounds to every printed digit"));
 }
 
-// The program's output and the analytical column against eq. (3), where the program evaluates it.
+// Compares the program's output and the analytical column with eq. (3) at the program's abscissae.
 void claim_program(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
                    const PrintedData& printed) {
   std::vector<Criterion> output, column;
@@ -72,7 +72,7 @@ void claim_program(Document& document, const HalfSpaceCase& c, const UnitSystem&
   document.value("tri-dist.odd.shift", Value(shift, scientific(2), units.length));
 }
 
-// Which load the listed program's output shows, and which one the run reports.
+// The loads that follow from the listed program's output and from the run's summary.
 void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
                 const PrintedData& printed) {
   const Estimate in_output =
@@ -100,7 +100,7 @@ void claim_load(Document& document, const HalfSpaceCase& c, const UnitSystem& un
   document.value("load-in-words.factor", Value(stated / load, significant(3)));
 }
 
-// The columns of Fig. 5 beside ours, and what its error column is the difference of.
+// Compares the columns of Fig. 5 with ours, and finds which difference its error column is.
 void compare_figure5(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
                      const PrintedFigure5& printed) {
   const auto column = [&](const char* heading, int exponent, int n_decimals) {
@@ -114,7 +114,7 @@ void compare_figure5(Document& document, const HalfSpaceCase& c, const UnitSyste
        column("FEA, $z$", micro, 6).under(group), column("analytical", micro, 6).under(group),
        column("error", error_unit, 3).under(group), column("eq.~(3)", micro, 6),
        column("$|$eq.~(3)$\\,-\\,$FEA, $z|$", error_unit, 3), column("$|u_x|$", error_unit, 2)});
-  // The error column has more digits than the columns, of which each is known to half a unit.
+  // The error column has more digits than the other columns, each known to half a unit.
   const auto explains = [&](std::size_t i, const std::vector<PrintedNumber>& fea) {
     const double difference = std::abs(printed.analytical[i].value() - fea[i].value());
     const double off =
@@ -136,19 +136,19 @@ void compare_figure5(Document& document, const HalfSpaceCase& c, const UnitSyste
   }
   document.table(table);
   document.claim("error-of-z",
-                 {.route = "the difference of the printed columns, analytical less FEA $z$",
+                 {.route = "the difference of the printed columns, analytical minus FEA $z$",
                   .expected = Verdict::fails,
                   .criteria = {Criterion::in_each(
-                      "that difference less the printed error, in units of the columns' last place",
+                      "that difference minus the printed error, in units of the columns' last place",
                       "points", of_z)}});
   document.check("figure5-error-column",
-                 {Criterion::in_each("analytical less magnitude less error, in units of the last "
+                 {Criterion::in_each("analytical minus magnitude minus error, in units of the last "
                                      "place",
                                      "points", of_magnitude)},
                  "the error column of Fig. 5 is the difference from the FEA magnitude everywhere");
 }
 
-// The finite-element column of Fig. 5 against the summary of the run, digit by digit.
+// Compares the finite-element column of Fig. 5 with the summary of the run, digit by digit.
 void check_measures(Document& document, const PrintedData& printed) {
   bool agree = true;
   for (std::size_t i = 0; i < printed.figure5.fea_z.size(); ++i) {

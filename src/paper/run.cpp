@@ -69,7 +69,7 @@ void claim_plane_strain(Document& document, const HalfSpaceCase& h, const Printe
 
 // --- The level
 
-// A block twice as large in both directions under the same load: the shape, and the level.
+// Compares a block twice as large in both directions under the same load, in shape and level.
 void claim_size(Document& document, const HalfSpaceCase& h, const UnitSystem& units,
                 const BlockStudy& study) {
   const RefinedSolution larger = study.enlarged(2);
@@ -84,7 +84,7 @@ void claim_size(Document& document, const HalfSpaceCase& h, const UnitSystem& un
   document.value("block.larger.shape", Value(shape, scientific(1).rounded_up(), units.length));
   document.value("block.larger.share", Value(level / middle, percent(1)));
   const Limit unaffected =
-      Limit(1e-2, LimitKind::choice, "a tenth of the convergence that the run asks for");
+      Limit(1e-2, LimitKind::choice, "a tenth of the convergence set for the run");
   document.claim(
       "geometry-large-enough",
       {.route = "the block by finite elements under the triangle, in its size and twice as wide "
@@ -99,8 +99,8 @@ void claim_size(Document& document, const HalfSpaceCase& h, const UnitSystem& un
 
 // --- The difference of the printed columns
 
-// The part of the datum, half-space less block under the triangle, and the part of the load, block
-// under the triangle less block under the inferred load.
+// The datum's contribution, half-space minus block under the triangle, and the load's, block under
+// the triangle minus block under the inferred load.
 void register_shares(Document& document, const Case& from, const BlockStudy& study,
                      const RefinedSolution& under_inferred) {
   const HalfSpaceCase& h = from.half_space;
@@ -176,8 +176,8 @@ void claim_comparison(Document& document, const HalfSpaceCase& h, const PrintedF
   }
   document.claim(
       "nearly-identical-under-load",
-      {.route = "under the load eq.~(3) less the printed FEA $z$, over the latter; outside it the "
-                "printed error column",
+      {.route = "under the load, eq.~(3) minus the printed FEA $z$, over the latter; outside it, the "
+          "printed error column",
        .expected = Verdict::holds,
        .criteria = {Criterion::at_most("largest difference under the load",
                                        Value(largest, percent(1).rounded_up()), nearly_identical()),
@@ -186,8 +186,8 @@ void claim_comparison(Document& document, const HalfSpaceCase& h, const PrintedF
                                        "steps", growth)}});
 }
 
-// By how much more the printed finite-element displacements fall from the first point to the i-th
-// than the analytical ones do, over the latter. No datum changes this.
+// The relative excess of the printed finite-element displacements' fall from the first point to the
+// i-th over that of the analytical ones. It is independent of the datum.
 Estimate excess_of_fall(const PrintedFigure5& printed, std::size_t i) {
   const auto fall = [i](const std::vector<PrintedNumber>& column) {
     return as_estimate(column.front()) - as_estimate(column[i]);
@@ -195,8 +195,8 @@ Estimate excess_of_fall(const PrintedFigure5& printed, std::size_t i) {
   return fall(printed.fea_z) / fall(printed.analytical) - 1;
 }
 
-// How far the analytical solution is at least, under the load, from a sound model of the block
-// under the stated load, over the displacement of the block.
+// The least difference under the load between the analytical solution and a sound model of the
+// block under the stated load, relative to the block's displacement.
 Estimate least_apart(const HalfSpaceCase& h, const RefinedSolution& sound) {
   Estimate least{HUGE_VAL, 0};
   for (const double x : h.points) {
@@ -246,7 +246,7 @@ void claim_run(Document& document, const HalfSpaceCase& h, const PrintedFigure5&
 
 // --- The printed measures
 
-// What a printed name means, in the axes of the run.
+// The meaning of a printed name, in the axes of the run.
 std::string description_of(const std::string& name) {
   static const std::map<std::string, const char*> descriptions = {
       {"resultant_load_y", "resultant of the load"},
@@ -298,8 +298,8 @@ void tabulate_measures(Document& document, const Case& from, const BlockStudy& s
   document.value("fit.predicts.resultant", Value(off("resultant_load_y"), percent(2)));
 }
 
-// The largest tension on the surface beside the load, from one half-width beyond it to a tenth of
-// the way before the corner.
+// The largest tension on the surface beside the load, from one half-width beyond it to 0.9 of the
+// distance to the corner.
 double tension_beside(const HalfSpaceCase& h, const BlockCase& b, const RefinedSolution& solution) {
   const double begin = 2 * h.load.half_width();
   const double end = 0.9 * b.rectangle.right();
@@ -312,7 +312,8 @@ double tension_beside(const HalfSpaceCase& h, const BlockCase& b, const RefinedS
   return largest;
 }
 
-// Under normal pressure alone a half-space has no tension, and this block hardly any.
+// Under normal pressure alone, a half-space has no tension at its surface and this block hardly
+// any.
 void claim_tension(Document& document, const Case& from, const RefinedSolution& under_inferred) {
   const UnitSystem& units = from.units;
   const PrintedData& printed = *from.printed_data;
@@ -350,7 +351,7 @@ void describe_run(Document& document, const Case& from, const BlockStudy& study)
   claim_mass(document, *from.block, from.units, printed);
   claim_plane_strain(document, h, printed);
 
-  // The supports assumed come first.
+  // The assumed supports come first.
   std::vector<Level> levels = {study.level("clamped", study.own())};
   const block::SupportedBlock on_rollers = study.on(block::with_sides(Support::roller));
   levels.push_back(study.level("roller", on_rollers));
@@ -362,7 +363,7 @@ void describe_run(Document& document, const Case& from, const BlockStudy& study)
   }
   const double load = h.load.line_load();
   for (const Level& level : levels) {
-    if (level.supports == "clamped-on-rollers") continue;  // the table of loads has it
+    if (level.supports == "clamped-on-rollers") continue;  // only in the table of loads
     document.value(
         "shares.datum." + level.supports,
         Value(load * level.triangle.in_the_middle, scientific(4), from.units.length).as_is());

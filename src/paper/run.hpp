@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The finite-element run of the paper's Appendix 2: what its summary says of the body, and which
-// load it carried.
+// The finite-element run of the paper's Appendix 2: its body and the load that it carried.
 #pragma once
 
 #include <string>
@@ -12,15 +11,15 @@
 
 namespace paper {
 
-/// The datum at which a half-space would be displaced as much as the block whose level this is.
+/// The datum with which a half-space is displaced as much as the block of this level.
 Estimate equivalent_datum(const HalfSpaceCase& h, Estimate level);
 
-/// Registers what the summary says of the body and of its stresses, and what the difference
-/// of the printed columns is made of.
+/// Registers the properties of the body and its stresses from the run's summary, and the
+/// contributions to the difference of the printed columns.
 void describe_run(Document& document, const Case& from, const BlockStudy& study);
 
-/// Registers which load the run carried, and returns the inferred load: the linear fall that meets
-/// its displacements best. `levels` are those of the block on the supports assumed, and on others.
+/// Registers the load that the run carried and returns it: the linear fall that best matches the
+/// displacements. `levels` are those of the block on the assumed supports, first, and on others.
 FallingPressure infer_load(Document& document, const Case& from, const BlockStudy& study,
                            const std::vector<Level>& levels);
 

@@ -7,8 +7,8 @@
 
 namespace paper {
 
-/// Spheres with the radii and the materials of the case's cylinders, by Hertz, and by pyramids on a
-/// square lattice none of whose nodes lies at the centre.
+/// Spheres with the radii and materials of the case's cylinders, by Hertz and by pyramids on a
+/// square lattice with no node at the centre.
 struct Spheres {
   point_contact::Hertz hertz;
   point_contact::Solution solution;

@@ -102,7 +102,7 @@ Figure sphere_figure(const Spheres& spheres) {
 }  // namespace
 
 Spheres solve_spheres(const ContactCase& c, const PointContactCase& p) {
-  constexpr double share = 0.9;  // of the square's half side that is in contact
+  constexpr double share = 0.9;  // part of the square's half side that is in contact
   const double modulus = c.cylinders.contact_modulus();
   const double curvature = c.cylinders.relative_curvature();
   const point_contact::Hertz hertz(modulus, curvature, p.load);

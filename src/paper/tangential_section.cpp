@@ -9,7 +9,7 @@
 namespace paper {
 namespace {
 
-// u_x in the finite-element columns, √(magnitude² − z²), against u_z and against the half-space's.
+// Compares u_x in the finite-element columns, √(magnitude² − z²), with u_z and with the half-space.
 void compare_tangential(Document& document, const HalfSpaceCase& c, const UnitSystem& units,
                         const PrintedData& printed, double outside) {
   const PrintedFigure5& columns = printed.figure5;
@@ -42,7 +42,7 @@ void compare_tangential(Document& document, const HalfSpaceCase& c, const UnitSy
 
 void compute_tangential(Document& document, const Case& from) {
   const HalfSpaceCase& c = from.half_space;
-  // It is the same everywhere outside the load.
+  // u_x is constant outside the load.
   const double end = std::max(c.farthest_point(), c.load.half_width());
   const double outside = std::abs(tangential_displacement(c.material, c.load, end));
   document.value("tangential.outside", Value(outside, scientific(3), from.units.length).as_is());

@@ -15,27 +15,28 @@
 namespace parameters {
 namespace {
 
-// What a case may hold. Beyond these a double would overflow or underflow on the way, in squares of
-// lengths or pressures.
+// The range of a case's numbers. Beyond it, squares of lengths or pressures would overflow or
+// underflow.
 constexpr double least = 1e-50;
 constexpr double greatest = 1e50;
 
-// Half-widths of the load to the datum and to the points: beyond, differences of displacements are
-// rounding.
+// The greatest distance of datum and points from the load, in half-widths. Farther out, rounding
+// swamps the differences of displacements.
 constexpr double farthest = 1e8;
 
-// A sum of two curvatures of unlike signs loses digits; a smaller part of them is mostly rounding.
+// The sum of two curvatures of opposite sign loses digits; below this fraction of them it is mostly
+// rounding.
 constexpr double least_curvature = 1e-9;
 
-// Half-widths of the load across the block. A finer load makes elements so thin that the stiffness
-// is ill-conditioned.
+// The greatest size of the block, in half-widths of the load. In a larger block the elements are so
+// thin that the stiffness is ill-conditioned.
 constexpr double widest_block = 2000;
 
 double in_range(const config::Table& table, const std::string& key, config::Dimension dimension,
                 const config::UnitSystem& units) {
   const double value = table.quantity(key, dimension, units);
   if (value != 0 && !(std::abs(value) >= least && std::abs(value) <= greatest)) {
-    table.fail(key, fmt::format("{} {}: its magnitude must be from {} to {}", value,
+    table.fail(key, fmt::format("{:.6g} {}: its magnitude must be from {} to {}", value,
                                 units.unit(dimension), least, greatest));
   }
   return value;
@@ -45,7 +46,7 @@ double positive(const config::Table& table, const std::string& key, config::Dime
                 const config::UnitSystem& units) {
   const double value = in_range(table, key, dimension, units);
   if (!(value > 0)) {
-    table.fail(key, fmt::format("{} {}: must be greater than 0", value, units.unit(dimension)));
+    table.fail(key, fmt::format("{:.6g} {}: must be greater than 0", value, units.unit(dimension)));
   }
   return value;
 }
@@ -64,7 +65,7 @@ elasticity::Material read_material(const config::Table& table, const config::Uni
   return table.at("poisson", [&] { return elasticity::Material(young, poisson); });
 }
 
-// first, first + step, …, `count` of them; each product rounded once, so that 3·0.005 is 0.015.
+// Returns `count` points first, first + step, …; each product is rounded once, so 3·0.005 is 0.015.
 std::vector<double> read_points(const config::Table& table, const config::UnitSystem& units) {
   const double first = in_range(table, "first", config::Dimension::length, units);
   const double step = positive(table, "step", config::Dimension::length, units);
@@ -82,8 +83,9 @@ HalfSpaceCase read_half_space(const config::Table& table, const config::UnitSyst
       positive(load, "half_width", config::Dimension::length, units));
   const double reach = farthest * triangle.half_width();
   const auto too_far = [&](double x) {
-    return fmt::format("{0} {1}: must be at most {2:.6g} {1}, {3} times half_space.load.half_width",
-                       x, units.length, reach, farthest);
+    return fmt::format(
+        "{0:.6g} {1}: must be at most {2:.6g} {1}, {3} times half_space.load.half_width", x,
+        units.length, reach, farthest);
   };
   const double datum = positive(table, "datum", config::Dimension::length, units);
   if (datum > reach) table.fail("datum", too_far(datum));
@@ -120,10 +122,11 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
         "radius",
         fmt::format("{} with contact.body1.radius {}: {}", shown(body2.radius, units),
                     shown(body1.radius, units),
-                    curvature > 0 ? "a hollow must be wider than the cylinder in it by more than "
-                                    "rounding, a part of 1e-9"
-                                  : "1/radius1 + 1/radius2 must be greater than 0: at most one "
-                                    "hollow, wider than the cylinder in it, and one plane"));
+                    curvature > 0
+                        ? "a hollow must be wider than the cylinder in it by more than 1e-9 of "
+                          "its radius"
+                        : "1/radius1 + 1/radius2 must be greater than 0: at most one "
+                          "plane, and a hollow only if wider than the cylinder in it"));
   }
   const line_contact::CylinderPair cylinders(body1.material, body1.radius, body2.material,
                                              body2.radius);
@@ -134,10 +137,11 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
       line_contact::grid_around(line_contact::Hertz(cylinders, line_load).half_width(), n_nodes);
   const double end = grid.x(grid.n_nodes - 1);
   if (datum <= end) {
-    table.fail("datum",
-               fmt::format("{0} {1}: must be greater than {2:.6g} {1}, where the grid ends that "
-                           "contact.load, nodes, body1 and body2 make",
-                           datum, units.length, end));
+    table.fail(
+        "datum",
+        fmt::format("{0:.6g} {1}: must be greater than {2:.6g} {1}, the end of the grid that "
+                    "follows from contact.load, nodes, body1 and body2",
+                    datum, units.length, end));
   }
   return {body1, body2, cylinders, line_load, datum, n_nodes};
 }
@@ -160,12 +164,12 @@ BlockCase read_block(const config::Table& table, const config::UnitSystem& units
           positive(table, "density", config::Dimension::density, units), discretization};
 }
 
-// The block must hold the load and the points of the half-space that it is compared with.
+// The block must contain the load and the points of the half-space with which it is compared.
 void require_suitable(const config::Table& table, const block::Rectangle& rectangle,
                       const HalfSpaceCase& half_space, const config::UnitSystem& units) {
   if (half_space.load.half_width() >= rectangle.right()) {
     table.fail("width",
-               fmt::format("{0} {1}: must be greater than {2:.6g} {1}, twice "
+               fmt::format("{0:.6g} {1}: must be greater than {2:.6g} {1}, twice "
                            "half_space.load.half_width",
                            rectangle.width(), units.length, 2 * half_space.load.half_width()));
   }
@@ -173,20 +177,20 @@ void require_suitable(const config::Table& table, const block::Rectangle& rectan
   for (const auto& [key, size] :
        {std::pair{"width", rectangle.width()}, std::pair{"height", rectangle.height()}}) {
     if (size > widest) {
-      table.fail(key, fmt::format("{0} {1}: must be at most {2:.6g} {1}, {3} times "
+      table.fail(key, fmt::format("{0:.6g} {1}: must be at most {2:.6g} {1}, {3} times "
                                   "half_space.load.half_width",
                                   size, units.length, widest, widest_block));
     }
   }
   if (half_space.farthest_point() > rectangle.right()) {
     table.fail("width",
-               fmt::format("{0} {1}: must be at least {2:.6g} {1}, twice the farthest of "
+               fmt::format("{0:.6g} {1}: must be at least {2:.6g} {1}, twice the farthest of "
                            "half_space.points",
                            rectangle.width(), units.length, 2 * half_space.farthest_point()));
   }
 }
 
-// Returns what `read` makes of a table, of which it must ask for every key.
+// Returns the result of `read` for a table, all of whose keys it must read.
 template <class Read>
 auto whole(const CaseFile& file, const char* key, Read read) {
   const config::Table table = file.root().table(key);
@@ -228,7 +232,7 @@ Case read_case(const std::filesystem::path& path) {
   const config::Table& root = file.root();
   Case c{path, root.text("title"), file.units(), file.half_space(), file.contact(), {}, {}, {}};
   if (c.title.find_first_not_of(' ') == std::string::npos) {
-    root.fail("title", "must name the case, not be empty");
+    root.fail("title", "must not be empty");
   }
   if (root.has("point_contact")) c.point_contact = file.point_contact();
   if (root.has("block")) {

@@ -16,15 +16,15 @@
 
 namespace parameters {
 
-/// The half-space under a triangular load: what eqs. (2) to (4) need. Lengths and stresses in the
-/// case's unit system, here and below.
+/// The half-space under a triangular load: the parameters of eqs. (2) to (4). Here and below,
+/// lengths and stresses are in the case's unit system.
 struct HalfSpaceCase {
   elasticity::Material material;
   elasticity::TriangularLoad load;
   double datum;                ///< the x at which u_z = 0
-  std::vector<double> points;  ///< where the paper's tables are taken, rising
+  std::vector<double> points;  ///< the x of the paper's tables, rising
 
-  /// The greatest |x| of the points: where the tables end, since the load is symmetric.
+  /// The greatest |x| of the points, where the tables of the symmetric load end.
   double farthest_point() const;
 };
 
@@ -40,11 +40,11 @@ struct ContactCase {
   CylinderCase body2;
   line_contact::CylinderPair cylinders;
   double line_load;
-  double datum;  ///< where the points lie whose approach is stated
+  double datum;  ///< the x of the points whose approach is computed
   long n_nodes;
 };
 
-/// The bodies of ContactCase once more, with the radii as those of spheres.
+/// The bodies of ContactCase, with their radii taken as those of spheres.
 struct PointContactCase {
   double load;  ///< P, a force
 };
@@ -52,16 +52,16 @@ struct PointContactCase {
 /// The finite block that the paper analysed with finite elements.
 struct BlockCase {
   block::Rectangle rectangle;
-  block::Support sides;  ///< how left and right are held; the bottom is clamped
+  block::Support sides;  ///< supports on the left and right; the bottom is clamped
   double density;        ///< mass per volume
   block::Discretization discretization;
 };
 
-/// A case file (TOML), of which a reader takes the tables that it needs.
+/// A case file (TOML). Each member reads one table.
 ///
 /// Every quantity carries its unit and is converted to the case's system. Each member throws
-/// config::Error naming file, line, column, key, value and what is allowed, also for a table that
-/// is missing and for a key in it that is unknown.
+/// config::Error with file, line, column, key, value and the allowed range, also for a missing
+/// table and for an unknown key in it.
 class CaseFile {
  public:
   explicit CaseFile(const std::filesystem::path& file);
@@ -79,7 +79,7 @@ class CaseFile {
   config::UnitSystem units_;
 };
 
-/// A case: the bodies, their loads and where they are looked at.
+/// A case: the bodies, their loads and the points of the results.
 struct Case {
   std::filesystem::path file;
   std::string title;
@@ -88,11 +88,11 @@ struct Case {
   ContactCase contact;
   std::optional<PointContactCase> point_contact;
   std::optional<BlockCase> block;
-  std::optional<config::Table> printed;  ///< [printed], left to the reader who knows the paper
+  std::optional<config::Table> printed;  ///< [printed], which the paper's code reads
 };
 
-/// Reads a whole case file, with a title, whose block must suit its half-space. The table [printed]
-/// is not looked into. Throws config::Error as CaseFile.
+/// Reads a whole case file, which must have a title and a block that suits its half-space. Does not
+/// check the table [printed]. Throws config::Error as CaseFile.
 Case read_case(const std::filesystem::path& file);
 
 }  // namespace parameters

@@ -12,7 +12,7 @@
 namespace parameters {
 namespace {
 
-/// Rounds a number correctly to `n_digits` significant digits, as text with an exponent.
+// Formats a number, correctly rounded to `n_digits` significant digits, with an exponent.
 std::string rounded(double number, int n_digits) {
   return fmt::format("{:.{}e}", number, n_digits - 1);
 }

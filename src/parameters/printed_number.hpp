@@ -8,12 +8,12 @@
 
 namespace parameters {
 
-/// A number as it is printed somewhere. It stands for every number that rounds to
-/// it: 1.6236048e-006 for all within half a unit of its last digit.
+/// A number as printed in the paper. It represents every number that rounds to it: 1.6236048e-006
+/// represents all numbers within half a unit of its last digit.
 class PrintedNumber {
  public:
-  /// Reads a decimal number with or without an exponent; throws std::invalid_argument for any other
-  /// text.
+  /// Parses a decimal number with or without an exponent. Throws std::invalid_argument for any
+  /// other text.
   explicit PrintedNumber(std::string text);
 
   const std::string& text() const { return text_; }
@@ -25,10 +25,10 @@ class PrintedNumber {
   /// One unit of the last printed place: 1e-13 for 1.6236048e-006.
   double last_place() const;
 
-  /// How many significant digits are printed.
+  /// The number of significant digits printed.
   int n_digits() const { return n_digits_; }
 
-  /// Whether `number`, rounded to the last printed place, prints the same digits.
+  /// Whether `number`, rounded to as many significant digits, prints the same digits.
   bool agrees_with(double number) const;
 
  private:
@@ -38,8 +38,8 @@ class PrintedNumber {
   int n_digits_ = 0;
 };
 
-/// Read a number, or several, which the case file has in quotes so that they keep their digits.
-/// Throw config::Error with the place of the key for a text that is no decimal number.
+/// Read a number, or several, that the case file quotes to preserve their digits. Throw
+/// config::Error with the position of the key for a text that is not a decimal number.
 PrintedNumber printed_number(const config::Table& table, const std::string& key);
 std::vector<PrintedNumber> printed_numbers(const config::Table& table, const std::string& key);
 

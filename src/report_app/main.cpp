@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program that makes the report: the engine's main() with what this report computes.
+// The program that makes the report: the engine's main() with this report's computations.
 #include "literate/main/main.hpp"
 
 #include <iostream>

@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_refused_with_nodes_and_domain_tha
        [] {
          require_resolved({0, 0, 100, 2});
        }},
-      {"tolerance = 1e-14: must be from 1e-13, which is rounding, to 0.01",
+      {"tolerance = 1e-14: must be from 1e-13, the rounding error, to 0.01",
        [] { require_tolerance(1e-14, 1e-13); }},
       {"tolerance = nan", [] { require_tolerance(NAN, 1e-13); }},
       {"tolerance = inf",

@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(quantities_out_of_range) {
       {"point-contact --radius1 10 --load 100 --domain 0.1",
        "--domain = 0.1: must be greater than 0.373251 mm, the width of Hertz's contact"},
       {"contact --radius1 10 --load 100 --method fft --tolerance 1e-15",
-       "--tolerance = 1e-15: must be from 1e-13, which is rounding, to 0.01"},
+       "--tolerance = 1e-15: must be from 1e-13, the rounding error, to 0.01"},
   });
 }
 

@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(problems_that_no_method_can_solve_are_refused_by_every_meth
        [] {
          stress_beneath(solve_by_matrix_inversion(cylinders_on(91, Element::uniform), load), 0, 1);
        }},
-      {"off the edge of the load",
+      {"away from the edge of the load",
        [] {
          const auto s = solve_by_matrix_inversion(cylinders_on(91, Element::uniform), load);
          surface_slope(s, s.grid.x(45) + s.grid.spacing / 2);

@@ -49,7 +49,7 @@ Profile Profile::height_map(const Eigen::ArrayXXd& heights, double spacing) {
   }
   const std::vector<double> x = coordinates(heights.rows(), spacing);
   const std::vector<double> y = coordinates(heights.cols(), spacing);
-  // GSL wants the values of x next to each other, as Eigen stores columns.
+  // GSL expects neighbours along x to be contiguous, as Eigen stores columns.
   const std::shared_ptr<gsl_spline2d> spline(
       gsl_spline2d_alloc(gsl_interp2d_bicubic, x.size(), y.size()), gsl_spline2d_free);
   gsl_spline2d_init(spline.get(), x.data(), y.data(), heights.data(), x.size(), y.size());

@@ -12,24 +12,25 @@ namespace point_contact {
 
 /// The gap h(x, y) between two bodies that touch without load.
 ///
-/// A value; copies share nothing that changes. x, y and h are lengths.
+/// Copies share only immutable data. x, y and h are lengths.
 class Profile {
  public:
   double gap(const Vector2& at) const { return gap_(at.x(), at.y()); }
 
-  /// The half sides of the rectangle about the origin where the profile is given; infinite for a
-  /// formula.
+  /// The half sides of the profile's domain, a rectangle about the origin; infinite for a formula.
   const Vector2& half_sides() const { return half_sides_; }
 
   /// h = κ(x² + y²)/2: two spheres, κ = 1/R₁ + 1/R₂ > 0 (Johnson 4.17).
   static Profile paraboloid(double relative_curvature);
 
-  /// h = (κ_x x² + κ_y y²)/2: principal relative curvatures > 0 along x and y, each the sum of both
-  /// bodies' (Johnson 4.3).
+  /// h = (κ_x x² + κ_y y²)/2 with the principal relative curvatures along x and y, each > 0 and the
+  /// sum of both bodies' curvatures (Johnson 4.3).
   static Profile elliptic_paraboloid(double curvature_x, double curvature_y);
 
-  /// A measured surface: heights(i, j), the gap at x = (i − (n1−1)/2) spacing, y = (j − (n2−1)/2)
-  /// spacing, at least four each way, joined by bicubic splines (GSL). Not defined beyond.
+  /// A measured surface: heights(i, j) is the gap at x = (i − (n1−1)/2) spacing, y = (j − (n2−1)/2)
+  /// spacing, with at least four points each way, interpolated by bicubic splines (GSL). Undefined
+  /// beyond. Throws InvalidQuantity for fewer points, a spacing ≤ 0 and heights that are not
+  /// finite.
   static Profile height_map(const Eigen::ArrayXXd& heights, double spacing);
 
  private:

@@ -18,14 +18,14 @@ double carlson_rd(double x, double y, double z) {
   return gsl_sf_ellint_RD(x, y, z, GSL_PREC_DOUBLE);
 }
 
-// κ_x/κ_y = R_D(0, b², a²)/R_D(0, a², b²) of an ellipse with b/a = exp(log_ratio): rising.
+// κ_x/κ_y = R_D(0, b², a²)/R_D(0, a², b²) of an ellipse with b/a = exp(log_ratio); it increases.
 double curvature_ratio(double log_ratio) {
   const double square = std::exp(2 * log_ratio);
   return carlson_rd(0, square, 1) / carlson_rd(0, 1, square);
 }
 
-// ln(b/a) by bisection, 60 bits of an interval that holds all ratios allowed: the ellipse is
-// rounder than the curvatures are different.
+// ln(b/a) to 60 bits by bisection. The interval contains all allowed ratios, because b/a is nearer
+// to 1 than κ_x/κ_y is.
 double log_axis_ratio(double wanted) {
   double low = -std::abs(std::log(wanted)) - 1;
   double high = -low;

@@ -12,12 +12,12 @@ namespace point_contact {
 ///
 ///   u_z1 + u_z2 = (p₀ab/E*) [R_F(w, a²+w, b²+w) − ⅓x² R_D(w, b²+w, a²+w) − ⅓y² R_D(w, a²+w, b²+w)]
 ///
-/// w = 0 inside. Equating this to δ − h gives κ_x, κ_y and δ; the ratio b/a is solved for from
-/// κ_x/κ_y, not approximated.
+/// with w = 0 inside. Equating this to δ − h gives κ_x, κ_y and δ; the ratio b/a is solved from
+/// κ_x/κ_y without approximation.
 class HertzElliptic {
  public:
-  /// contact_modulus E* (a stress), curvatures κ_x and κ_y (in any order of size) and load P (a
-  /// force), each > 0, or InvalidQuantity is thrown. κ_x/κ_y must lie between 1e-8 and 1e8.
+  /// contact_modulus E* (a stress), curvatures κ_x and κ_y (either may be the greater) and load P
+  /// (a force). Throws InvalidQuantity unless each is > 0 and κ_x/κ_y lies between 1e-8 and 1e8.
   HertzElliptic(double contact_modulus, double curvature_x, double curvature_y, double load);
 
   /// a along x and b along y, lengths. Accuracy: 1e-14 relative.
@@ -33,8 +33,7 @@ class HertzElliptic {
   /// p = p₀ √(1 − x²/a² − y²/b²) within the ellipse, 0 outside; a stress.
   double pressure(const Vector2& at) const;
 
-  /// The gap u_z1 + u_z2 + h − δ that is left outside the contact, 0 inside; a length. Accuracy:
-  /// 1e-14 of h.
+  /// The gap u_z1 + u_z2 + h − δ outside the contact, 0 inside; a length. Accuracy: 1e-14 of h.
   double gap(const Vector2& at) const;
 
  private:

@@ -6,8 +6,8 @@ namespace point_contact {
 /// Hertz's closed form for two spheres pressed together (Johnson 4.22–4.24, 3.42).
 class Hertz {
  public:
-  /// contact_modulus E* (a stress), relative_curvature κ = 1/R₁ + 1/R₂ and load P (a force), each
-  /// > 0, or InvalidQuantity is thrown.
+  /// contact_modulus E* (a stress), relative_curvature κ = 1/R₁ + 1/R₂ and load P (a force). Throws
+  /// InvalidQuantity unless each is > 0.
   Hertz(double contact_modulus, double relative_curvature, double load);
 
   /// a = [3P/(4E*κ)]^{1/3}, a length (Johnson 4.22).
@@ -22,7 +22,7 @@ class Hertz {
   /// p(r) = p₀ √(1 − r²/a²) for r ≤ a, 0 outside; a stress. Accuracy: a few roundings.
   double pressure(double r) const;
 
-  /// The gap u_z1 + u_z2 + h − δ that is left outside the contact, 0 inside; a length:
+  /// The gap u_z1 + u_z2 + h − δ outside the contact, 0 inside; a length:
   ///   (κa²/π) [t tan²t + tan t − t],  cos t = a/r   (from Johnson 3.42a).
   /// Accuracy: 1e-14 relative, given a.
   double gap(double r) const;

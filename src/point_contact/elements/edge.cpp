@@ -6,7 +6,7 @@
 namespace point_contact {
 namespace {
 
-// ∫ ds/r from s₁ to s₂ > s₁ ≥ 0: ln[(s₂+r₂)/(s₁+r₁)] by the difference of its arguments.
+// ∫ ds/r from s₁ to s₂ > s₁ ≥ 0: ln[(s₂+r₂)/(s₁+r₁)], from the difference of its arguments.
 double log_of_ratio(double s1, double r1, double s2, double r2) {
   const double rise_of_r = (s2 - s1) * ((s2 + s1) / (r2 + r1));
   return std::log1p(((s2 - s1) + rise_of_r) / (s1 + r1));
@@ -25,7 +25,7 @@ EdgeIntegrals edge_integrals(const Vector2& begin, const Vector2& end, const Vec
   const Vector2 normal(tangent.y(), -tangent.x());
   const Vector2 to_begin = begin - at;
   const Vector2 to_end = end - at;
-  // The nearer end gives h with the smaller rounding.
+  // The nearer end gives h with less rounding.
   const double r1 = to_begin.norm();
   const double r2 = to_end.norm();
   const double h = (r1 < r2 ? to_begin : to_end).dot(normal);

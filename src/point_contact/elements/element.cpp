@@ -70,10 +70,10 @@ PointLoads gauss_rule(Element element, std::size_t n) {
   return element == Element::pyramid ? smeared(points, {-1, 1}, n) : points;
 }
 
-// The centre and the six corners of the hexagon, drawn in to ρ = √(2/5): with the weights 3/8 and
+// The centre and the six corners of the hexagon, scaled by ρ = √(2/5): with the weights 3/8 and
 // 5/48 they have the second and fourth moments of a pyramid. (On an equilateral lattice, of which
-// ours is an affine image, these are isotropic: 3wρ² = 1/8 and 9/4 wρ⁴ = 3/80.) The error is of the
-// order of d⁻⁶, as that of Gauss's rule of 27 points.
+// ours is an affine image, these are isotropic: 3wρ² = 1/8 and 9/4 wρ⁴ = 3/80.) The error is of
+// order d⁻⁶, as for Gauss's rule of 27 points.
 PointLoads seven_point_rule() {
   PointLoads points;
   points.add({0, 0}, 3. / 8);
@@ -85,7 +85,7 @@ PointLoads seven_point_rule() {
   return points;
 }
 
-// Rules of ever fewer points, each from a distance on where its error is below 2e-14.
+// Rules with ever fewer points, each used beyond the distance where its error is below 2e-14.
 class FarField {
  public:
   explicit FarField(Element element)

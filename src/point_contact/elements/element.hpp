@@ -9,8 +9,8 @@
 
 namespace point_contact {
 
-/// What is at a node of a square lattice for the pressure around it. All carry the load p c², c the
-/// spacing.
+/// The element that represents the pressure around a node of a square lattice. Each carries the
+/// load p c², with the spacing c.
 enum class Element {
   uniform,  ///< a pressure p over the node's cell: infinite gradient at its edges (Love 1929)
   pyramid   ///< a pyramid on the hexagon of six neighbours: together linear on triangles
@@ -20,33 +20,34 @@ enum class Element {
 /// The element's name in messages and on the command line.
 std::string_view name_of(Element element);
 
-/// The displacement by one element, T(d): elements of pressure p_j at the nodes x_j give
+/// The displacement due to one element, T(d): elements of pressure p_j at the nodes x_j give
 ///
 ///   u_z1 + u_z2 at x = (c/(πE*)) Σ_j T((x − x_j)/c) p_j,   T(d) = ∫ B(s)/|d−s| d²s,
 ///
-/// B the element of height 1 on the lattice of spacing 1 (Boussinesq; Johnson 3.22); even.
+/// where B is the element of height 1 on the lattice of spacing 1 (Boussinesq; Johnson 3.22). Even.
 ///
 ///   uniform  Σ h ∫ds/r over the cell's edges
 ///   pyramid  linear_potential() of its six triangles; the hexagon has the corners ±(1, 0), ±(0, 1)
 ///            and ±(1, −1)
 ///
-/// From seven spacings on a few weighted points take their place: an element is a point load
-/// smeared uniformly along (1, 0), (0, 1) and, for a pyramid, (−1, 1) as well. Accuracy: 1e-14 of
-/// T(0), and far away, where T → 1/|d|, 3e-14 relative.
+/// Beyond seven spacings a few weighted points replace them: an element is a point load smeared
+/// uniformly along (1, 0), (0, 1) and, for a pyramid, (−1, 1). Accuracy: 1e-14 of T(0), and far
+/// away, where T → 1/|d|, 3e-14 relative.
 double influence_coefficient(Element element, const Vector2& d);
 
-/// ∫ dA/r over a convex polygon whose corners are given counter-clockwise, at a point of its plane;
-/// a length. A uniform pressure p on it displaces the surface by p/(πE*) times this (Love 1929 for
+/// ∫ dA/r over a convex polygon with counter-clockwise corners, at a point of its plane; a length.
+/// A uniform pressure p on it displaces the surface by p/(πE*) times this (Love 1929 for
 /// rectangles; Johnson 3.25). Finite on edges and at corners. Rounding: 1e-15 times the polygon's
-/// size and the ratio of the distance to its width.
+/// size times the ratio of the point's distance to the polygon's width.
 double uniform_potential(std::span<const Vector2> corners, const Vector2& at);
 
-/// ∫ σ dA/r over a triangle whose corners are given counter-clockwise, σ linear with these values
-/// at them; a length if the values are numbers. With σ(Q) = σ(P) + g·(Q−P),
+/// ∫ σ dA/r over a triangle with counter-clockwise corners, σ linear with the given values at them;
+/// a length if the values are dimensionless. With σ(Q) = σ(P) + g·(Q−P),
 ///
 ///   ∫ σ/r dA = σ(P) Σ h ∫ds/r + g · Σ n ∫ r ds,  sums over the edges,
 ///
-/// since (Q−P)/r is the gradient of r. Finite everywhere; rounding as above, squared ratio.
+/// since (Q−P)/r is the gradient of r. Finite everywhere. Rounding as above, with the ratio
+/// squared.
 double linear_potential(const std::array<Vector2, 3>& corners, const std::array<double, 3>& values,
                         const Vector2& at);
 

@@ -7,14 +7,14 @@
 
 namespace point_contact {
 
-/// A count that is never negative, as the standard library and FFTW take it.
+/// Converts a non-negative count to the type of the standard library and FFTW.
 inline std::size_t size_of(Eigen::Index n) {
   return static_cast<std::size_t>(n);
 }
 
-/// n1 × n2 nodes about the origin, at the corners of squares, each with an element.
+/// n1 × n2 nodes of a square lattice about the origin, each with an element.
 ///
-/// A field on the grid is a vector of n2 rows of n1 values: that of node (i, j) is at j n1 + i.
+/// A field on the grid is a vector of n2 rows of n1 values; node (i, j) is at index j n1 + i.
 struct Grid {
   double spacing;   ///< c, a length
   Eigen::Index n1;  ///< nodes along x
@@ -29,16 +29,16 @@ struct Grid {
   }
 };
 
-/// The fewest and the most nodes each way; the most take 7 GB.
+/// The fewest and the most nodes along a side; the most take 7 GB.
 inline constexpr Eigen::Index min_nodes = 8;
 inline constexpr Eigen::Index max_nodes = 8192;
 
-/// A grid of n nodes in the middle of as many cells along the longer side of a rectangle, and as
-/// many as fill the shorter side. Throws InvalidQuantity for a side that is not > 0 or an n that is
-/// not from min_nodes to max_nodes, as the next does.
+/// A grid of square cells with a node in the middle of each: n along the longer side of a
+/// rectangle, and as many as fill the shorter side. Throws InvalidQuantity for a side that is not >
+/// 0 and for n outside [min_nodes, max_nodes].
 Grid rectangular_grid(double width, double height, Eigen::Index n);
 
-/// n × n nodes that fill a square.
+/// n × n nodes that fill a square. Throws as rectangular_grid.
 Grid square_grid(double width, Eigen::Index n);
 
 }  // namespace point_contact

@@ -16,13 +16,13 @@ using Eigen::VectorXd;
 using numerics::ComplexBuffer;
 using numerics::ComplexFourier;
 
-// Twice a convenient size, so that half of it is one too.
+// Twice a convenient size, so that the half is convenient too.
 Index period_for(Index n) {
   return 2 * static_cast<Index>(numerics::convenient_fourier_size(size_of(n)));
 }
 
-// The coefficients T(k1, k2) at |k1| ≤ half1 and 0 ≤ k2 ≤ half2. An element is the same if x and y
-// are exchanged, T(k1, k2) = T(k2, k1) = T(−k2, −k1), which saves computing half of them.
+// The coefficients T(k1, k2) at |k1| ≤ half1 and 0 ≤ k2 ≤ half2. An element is symmetric in x and
+// y, T(k1, k2) = T(k2, k1) = T(−k2, −k1), so only half of them need computing.
 class Coefficients {
  public:
   Coefficients(Element element, Index half1, Index half2)
@@ -46,7 +46,7 @@ class Coefficients {
 };
 
 // The transforms of the rows k2 = 0 … period2/2 of coefficients, at k1 = 0 … period1/2 each. A lag
-// of half the period is both that and its opposite: the mean of the two keeps the matrix symmetric.
+// of half the period equals its opposite: the mean of the two keeps the matrix symmetric.
 ComplexBuffer transformed_rows(Element element, Index period1, Index period2) {
   const Index half1 = period1 / 2;
   const Index half2 = period2 / 2;
@@ -68,8 +68,8 @@ ComplexBuffer transformed_rows(Element element, Index period1, Index period2) {
   return spectrum;
 }
 
-// As T(−d) = T(d), the row of lag −k2 has the conjugate spectrum of that of k2, and the transform
-// of a column is real.
+// As T(−d) = T(d), the spectra of the rows of lags −k2 and k2 are conjugate, and the transform of a
+// column is real.
 std::vector<double> eigenvalues_of(Element element, Index period1, Index period2) {
   const ComplexBuffer rows = transformed_rows(element, period1, period2);
   const Index n_columns = period1 / 2 + 1;

@@ -11,22 +11,22 @@
 namespace point_contact {
 
 /// Products with the influence coefficients T of elements on n1 × n2 nodes, in O(n log n): the
-/// matrix depends on the difference of nodes alone and so is a block of a circulant one of twice
-/// the size each way, which the Fourier transform diagonalises.
+/// matrix depends only on the difference of nodes and is therefore a block of a circulant matrix of
+/// twice the size each way, which the Fourier transform diagonalises.
 ///
-/// Rounding: about 1e-16 times the greatest displacement, which is some n1 times an element's own,
-/// so that it leaves 1e-16·n1 of the pressure.
+/// Rounding: about 1e-16 times the greatest displacement. That is about n1 times an element's own
+/// displacement, so the pressure has a rounding error of 1e-16·n1.
 class InfluenceOperator {
  public:
   InfluenceOperator(Element element, Eigen::Index n1, Eigen::Index n2);
 
-  /// Σ T φ at all nodes. The two may be the same.
+  /// Σ T φ at all nodes. `phi` and `result` may be the same vector.
   void displacements(const Eigen::VectorXd& phi, Eigen::VectorXd& result);
 
-  /// An approximate T⁻¹: the inverse of the circulant matrix of half the size, which has every
-  /// other eigenvalue of the one above; so the preconditioner needs no zeros beside the field and
-  /// costs a third of a product. That the field's opposite sides then meet does no harm: the
-  /// inverse falls with the cube of the distance. Symmetric and positive definite.
+  /// An approximate T⁻¹: the inverse of the circulant matrix of half the size, whose eigenvalues
+  /// are every other one of those above. It needs no zero padding and costs a third of a product.
+  /// Opposite sides of the field become neighbours, which does no harm because the inverse decays
+  /// with the cube of the distance. Symmetric and positive definite.
   void precondition(const Eigen::VectorXd& residual, Eigen::VectorXd& result);
 
  private:

@@ -20,7 +20,7 @@ using contact::ContactError;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// One grid of the sequence: finds φ and the contact from a first guess of φ.
+// Finds φ and the contact on one grid of the sequence from a first guess of φ.
 class LevelSolver {
  public:
   LevelSolver(const Problem& problem, double load)
@@ -34,7 +34,7 @@ class LevelSolver {
     double previous = std::numeric_limits<double>::infinity();
     for (int without_gain = 0;;) {
       find_contact(tolerance);
-      // The gaps were updated step by step; computing them anew drops the rounding that added up.
+      // The gaps were updated step by step; recomputing them removes the accumulated rounding.
       update_gap();
       gradients_.start(state_);
       const double error = gradients_.error();
@@ -55,7 +55,7 @@ class LevelSolver {
     state_.phi = std::move(first_guess);
     state_.in_contact = state_.phi.array() > 0;
     if (!state_.in_contact.any()) {
-      // a contact that fell between the nodes of the coarser grid
+      // The contact fell between the nodes of the coarser grid
       Index least = 0;
       gaps_.minCoeff(&least);
       state_.in_contact[least] = true;
@@ -63,11 +63,11 @@ class LevelSolver {
     }
     keep_total();
     update_gap();
-    // Nodes that penetrate at the first guess enter before anything is solved.
+    // Nodes that penetrate at the first guess enter the contact at once.
     state_.in_contact = state_.in_contact || state_.gap.array() < 0;
   }
 
-  // No tension, and Σφ.
+  // Removes tension and restores Σφ.
   void keep_total() {
     state_.phi = state_.in_contact.select(state_.phi.cwiseMax(0), 0);
     state_.phi *= total_ / state_.phi.sum();
@@ -82,8 +82,8 @@ class LevelSolver {
     state_.gap.array() -= state_.approach;
   }
 
-  // Steps of the conjugate gradients and revisions of the contact take turns: reducing the error
-  // to a fifth shows most of the nodes that are on the wrong side.
+  // Alternates conjugate gradient steps with revisions of the contact: reducing the error to a
+  // fifth reveals most of the nodes on the wrong side.
   void find_contact(double tolerance) {
     constexpr double enough_to_look = 0.2;
     constexpr int max_steps = 500;
@@ -93,7 +93,7 @@ class LevelSolver {
       bool is_done = revision == 0 && gradients_.error() <= tolerance / 2;
       bool settled = !is_done || revise(search, tolerance);
       while (settled && !is_done) {
-        // At least a step after a revision, before which nodes that have entered carry nothing
+        // Take at least one step after a revision: until then, new nodes carry nothing
         const double error = gradients_.error();
         const double least = error > tolerance / 2 ? tolerance / 2 : 0;
         const double wanted = std::max(least, enough_to_look * error);
@@ -101,7 +101,7 @@ class LevelSolver {
           gradients_.step();
         }
         settled = revise(search, tolerance);
-        // If rounding stops the convergence, the caller checks the error that is left.
+        // If rounding stops the convergence, the caller checks the remaining error.
         is_done = wanted <= tolerance / 2 || !(gradients_.error() <= wanted);
       }
       if (settled) return;
@@ -110,8 +110,8 @@ class LevelSolver {
         fmt::format("the contact did not settle in {} revisions", contact::max_revisions));
   }
 
-  // Whether the contact may stay as it is. Nodes that enter carry nothing yet; where some leave,
-  // the gap has to be computed anew.
+  // Returns true if the contact needs no change. Nodes that enter carry nothing yet; when nodes
+  // leave, the gap has to be recomputed.
   bool revise(contact::ContactSearch& search, double tolerance) {
     const double smallest_gap = tolerance * state_.phi.maxCoeff();
     if (search.revise(state_.in_contact, state_.phi, state_.gap, smallest_gap)) return true;
@@ -142,8 +142,8 @@ class LevelSolver {
   int revisions_ = 0;
 };
 
-// The grids of the same domain with half the nodes each way, a quarter, down to a few; the coarsest
-// first. No node of a coarser grid is outside those of a finer one.
+// Grids of the same domain with the nodes per side halved repeatedly, the coarsest first. No node
+// of a coarser grid lies outside those of a finer one.
 std::vector<Grid> nested_grids(const Grid& finest) {
   constexpr Index few = 32;
   std::vector<Grid> grids{finest};

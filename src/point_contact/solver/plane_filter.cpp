@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using numerics::ComplexBuffer;
 
-// Columns at a time, so that whole lines of the cache are read and written.
+// Columns processed together, so that whole cache lines are read and written.
 constexpr Index n_at_once = 8;
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace point_contact {
 
-/// Two bodies to be pressed together, and the elements to find their pressure with.
+/// Two bodies to be pressed together, and the elements that represent their pressure.
 struct Problem {
   Profile profile;
   double contact_modulus;  ///< E*, a stress
@@ -17,12 +17,12 @@ struct Problem {
   Element element = Element::pyramid;
 };
 
-/// h at the nodes. Throws InvalidQuantity unless E* > 0, the grid has no more than max_nodes a side
-/// and lies within a measured surface, and all gaps are less than contact::largest_length.
+/// h at the nodes. Throws InvalidQuantity unless E* > 0, the grid has min_nodes to max_nodes per
+/// side and lies within a measured surface, and all gaps are less than contact::largest_length.
 Eigen::VectorXd initial_gaps(const Problem& problem);
 
-/// Σφ for the load P, φ = c p/(πE*) the load of a node: P/(πE*c), a length. Throws InvalidQuantity
-/// for P ≤ 0 and if it is too large to compute with.
+/// Σφ = P/(πE*c) for the load P, with nodal loads φ = c p/(πE*); a length. Throws InvalidQuantity
+/// for P ≤ 0 and if the square of Σφ would overflow.
 double total_phi(const Problem& problem, double load);
 
 }  // namespace point_contact

@@ -4,7 +4,7 @@
 namespace point_contact {
 namespace {
 
-// The share θ of w that is taken off. All of it would leave a uniform residual without an answer.
+// The fraction θ of w that is subtracted. With θ = 1 a uniform residual would have no response.
 constexpr double share_taken_off = 0.8;
 
 }  // namespace
@@ -34,7 +34,7 @@ void ProjectedCg::step() {
 }
 
 // z = M r = C⁻¹r − θ w r with the residual r = −gap in contact, shifted so that Σz = 0, which
-// changes δ and every gap by a constant; M1 = (1 − θ)w. Keeps (r, z) as well.
+// changes δ and every gap by a constant; M1 = (1 − θ)w. Stores (r, z) too.
 void ProjectedCg::precondition_gap() {
   Eigen::VectorXd& gap = state_->gap;
   product_ = -contact_ * gap.array();

@@ -11,7 +11,7 @@ namespace point_contact {
 
 using contact::ContactMask;
 
-/// Nodal loads, the gap they leave, and which nodes are taken to be in contact.
+/// Nodal loads, the gap they leave, and the nodes assumed to be in contact.
 struct ContactState {
   Eigen::VectorXd phi;  ///< 0 outside contact
   Eigen::VectorXd gap;  ///< Tφ + h − δ
@@ -19,32 +19,32 @@ struct ContactState {
   double approach = 0;  ///< δ
 };
 
-/// Eq. (1a) for nodes whose contact is known: minimises ½φᵀTφ + (h−δ)ᵀφ over the loads φ of the
-/// nodes in contact while Σφ stays what it is; δ adapts itself.
+/// Solves eq. (1a) for a known contact: minimises ½φᵀTφ + (h−δ)ᵀφ over the loads φ of the nodes in
+/// contact at constant Σφ; δ follows.
 ///
-/// Conjugate gradients, preconditioned by M = C⁻¹ − θ diag(w). The inverse C⁻¹ of the circulant
-/// matrix takes the displacements to be zero outside contact and answers a jump at its edge with
-/// large pressures, although displacements outside are free; w = C⁻¹1 over the contact is the
-/// answer to a jump of 1, and most of it is taken off. With θ = 0 the number of steps grows with
+/// Conjugate gradients with the preconditioner M = C⁻¹ − θ diag(w). The inverse C⁻¹ of the
+/// circulant matrix assumes zero displacement outside contact, so it responds to a jump at the edge
+/// with large pressures, although displacements outside are free. w = C⁻¹1 over the contact is the
+/// response to a jump of 1, and most of it is subtracted. With θ = 0 the number of steps grows with
 /// ln N.
 ///
-/// As each product gives the displacements at all nodes, the gap is kept up with the pressure, in
-/// contact and outside, and can be looked at after any step.
+/// Because each product gives the displacements at all nodes, the gap is up to date after every
+/// step, in contact and outside.
 class ProjectedCg {
  public:
   explicit ProjectedCg(InfluenceOperator& influence) : influence_(influence) {}
 
-  /// Begins for the contact, φ and gap of this state, which stays the one that step() improves.
+  /// Starts from the contact, φ and gap of this state; step() improves the same object, which must
+  /// outlive its use.
   void start(ContactState& state);
 
   /// One step: one product, one preconditioning.
   void step();
 
-  /// What the preconditioner makes of the gap in contact, greatest and relative to max φ: an
-  /// estimate of the error of φ.
+  /// The greatest error of φ relative to max φ, estimated by preconditioning the gap in contact.
   double error() const { return error_; }
 
-  /// Steps and preconditionings since the construction, and the products of the steps.
+  /// Steps, their products and preconditionings since construction.
   const contact::Work& work() const { return work_; }
 
  private:

@@ -16,15 +16,15 @@ using Known = std::vector<bool>;
 
 constexpr Index outside = -1;
 
-// The index of node (i, j), if its value is known.
+// The index of node (i, j) if its value is known, else `outside`.
 Index known_at(const Grid& grid, const Known& known, Index i, Index j) {
   if (i < 0 || i >= grid.n1 || j < 0 || j >= grid.n2) return outside;
   const Index index = grid.index(i, j);
   return known[size_of(index)] ? index : outside;
 }
 
-// Continues values by one layer of nodes, each the mean of the straight lines through two known
-// nodes that lie behind one another in one of the eight directions; never above 0.
+// Extrapolates values by one layer of nodes: each is the mean of the straight lines through two
+// known nodes in a row, over the eight directions, and at most 0.
 void continue_by_a_layer(const Grid& grid, VectorXd& values, Known& known) {
   constexpr std::array<std::pair<Index, Index>, 8> directions = {
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
@@ -49,7 +49,7 @@ void continue_by_a_layer(const Grid& grid, VectorXd& values, Known& known) {
   }
 }
 
-// Where a fine node lies between two coarse ones, along one side of the grids.
+// The position of a fine node between two coarse ones, along one side of the grids.
 struct Position {
   Index lower;
   Index upper;
@@ -68,7 +68,7 @@ Position position(Index fine_index, Index n_fine, Index n_coarse, double spacing
 }  // namespace
 
 VectorXd prolongate(const Grid& coarse, const VectorXd& pressure, const Grid& fine) {
-  // p², continued by the two layers that fine nodes near the edge lie between
+  // Extrapolate p² by the two layers that surround the fine nodes near the edge
   VectorXd squares = pressure.array().square();
   Known known(size_of(coarse.size()));
   for (Index i = 0; i < coarse.size(); ++i) known[size_of(i)] = pressure[i] > 0;

@@ -18,8 +18,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// ⟨s sᵀ⟩ of one element about its node, in units of c²: each vector e that it is smeared along adds
-// eeᵀ/12.
+// ⟨s sᵀ⟩ of one element about its node, in units of c²: each vector e along which the element is
+// smeared adds eeᵀ/12.
 Eigen::Matrix2d own_second_moment(Element element) {
   const Eigen::Matrix2d cell = Eigen::Matrix2d::Identity() / 12;
   if (element == Element::uniform) return cell;
@@ -27,7 +27,8 @@ Eigen::Matrix2d own_second_moment(Element element) {
   return cell + diagonal * diagonal.transpose() / 12;
 }
 
-// ⟨x xᵀ⟩ about the mean of a density at the nodes, in units of c², which very small contacts need.
+// ⟨x xᵀ⟩ about the mean of a density at the nodes. In units of c², very small contacts do not
+// underflow.
 template <class Density>
 Eigen::Matrix2d second_moment(const Density& density, const Grid& grid) {
   double total = 0;
@@ -76,7 +77,7 @@ void require_free_ends(const Solution& solution) {
 constexpr std::array<std::pair<Index, Index>, 6> neighbours = {
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {-1, 1}, {1, -1}}};
 
-// Goes through the region of one node in contact, and takes its nodes from `to_visit`.
+// Traverses the region of one node in contact, removing its nodes from `to_visit`.
 Region region_around(const Solution& solution, Index first, std::vector<bool>& to_visit) {
   const Grid& grid = solution.grid;
   Region region{Vector2::Zero(), 0, 0, 0};
@@ -118,7 +119,7 @@ contact::Resolution Solution::resolution() const {
 }
 
 Vector2 Solution::semi_axes() const {
-  // In units of the peak, which very small loads need.
+  // In units of the peak, very small loads do not underflow.
   const double peak = peak_pressure();
   const auto density = [&](Index node) { return pressure[node] / peak; };
   const double of_a_hertzian_pressure = std::sqrt(5.0);
