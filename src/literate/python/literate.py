@@ -191,6 +191,10 @@ class Document:
     def _add(self, part: str, key: str, entry: Json) -> None:
         if key in self._parts[part]:
             raise Error(f"'{key}' is registered twice, first at {self._parts[part][key]['place']}")
+        try:
+            json.dumps(entry, allow_nan=False)
+        except ValueError:
+            raise Error(f"'{key}' contains NaN or infinity") from None
         frame = sys._getframe(2)
         entry["place"] = f"{os.path.relpath(frame.f_code.co_filename)}:{frame.f_lineno}"
         self._parts[part][key] = entry

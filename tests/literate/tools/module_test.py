@@ -104,6 +104,8 @@ class Module(unittest.TestCase):
         line = '    document.value("count", 12)\n'
         for what, mistake, message in [
                 ("not finite", 'document.value("x", float("nan"), digits=3)', "nan is not a finite number"),
+                ("an error", 'document.value("x", 1.5, error=float("inf"), digits=3)', "'x' contains NaN or infinity"),
+                ("a drawing", 'document.figure("f", 8, 5, {"b": {"x": [float("inf")]}})', "'f' contains NaN or infinity"),
                 ("twice", 'document.value("length", 1)', "'length' is registered twice, first at fit.py:5"),
                 ("two formats", 'document.value("x", 1.5, error=1, digits=2, percent=1)', "significant(2) and percent(1): give one format"),
                 ("no error", 'document.value("x", 1.5, digits=2)', "fit.py:6"), ("no format", 'document.value("x", 1.5, error=0.1)', "value 'x' needs a format: digits="),
