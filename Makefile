@@ -46,7 +46,7 @@ check: ## checks its prose: typed numbers, unused names, quotations
 changes: ## lists what changed since SINCE, and where it is printed
 	@$(configure); $(ninja) report-pdf && $(literate) changes build/report.json "$${SINCE:-HEAD}"
 severity: ## plants faults to test the claims, report/severity.csv
-	@$(configure); $(ninja) report-program && $(literate) severity build/report.json $${ONLY:+--only "$$ONLY"}
+	@$(configure); $(ninja) report-results && $(literate) severity build/report.json $${ONLY:+--only "$$ONLY"}
 verify: report ## builds the report elsewhere and compares all bytes
 	@$(literate) verify build/report.json $${MANIFEST:+--manifest "$$MANIFEST"}
 cases: ## builds reports of CASES and one table, build/cases/cases.csv
