@@ -20,7 +20,7 @@ using line_contact::solve_by_fft;
 using line_contact::solve_by_matrix_inversion;
 using line_contact::solve_by_variational_method;
 
-BOOST_AUTO_TEST_CASE(bodies_and_grids_that_make_no_sense_are_refused_by_name) {
+BOOST_AUTO_TEST_CASE(invalid_bodies_and_grids_are_rejected_by_name) {
   const double infinity = std::numeric_limits<double>::infinity();
   const elasticity::Material steel(30e6, 0.3);
   const auto of_radius = [](double radius) { return Radius::of_cylinder("radius2", radius); };
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(bodies_and_grids_that_make_no_sense_are_refused_by_name) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(problems_that_no_method_can_solve_are_refused_by_every_method) {
+BOOST_AUTO_TEST_CASE(unsolvable_problems_are_rejected_by_every_method) {
   const Problem paper = cylinders_on(91);
   const auto changed = [&](const std::function<void(Problem&)>& change) {
     Problem problem = paper;
@@ -116,10 +116,10 @@ BOOST_AUTO_TEST_CASE(problems_that_no_method_can_solve_are_refused_by_every_meth
   });
 }
 
-BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_ends_with_the_number_that_would_do) {
+BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_an_error_with_a_sufficient_number) {
   // From one node to seven, on grids with and without a node at the centre, nested and not.
   for (const Eigen::Index n_nodes : {91, 511, 513, 1024, 4097, 100'000}) {
-    for (const double part : {1e-3, 0.1, 1.0, 1.9, 3.0, 6.0}) {  // of the spacing, the half-width
+    for (const double part : {1e-3, 0.1, 1.0, 1.9, 3.0, 6.0}) {  // the half-width in spacings
       const double spacing = cases[0].width / static_cast<double>(n_nodes);
       const double tiny = load * std::pow(part * spacing / hertz.half_width(), 2);
       const auto solve = [&] { solve_by_fft(cylinders_on(n_nodes), tiny); };
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_ends_with_the_number_that_would_do) 
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_nodes_that_the_message_names_do) {
+BOOST_AUTO_TEST_CASE(the_number_of_nodes_in_the_message_suffices) {
   const double tiny = load * std::pow(0.005, 2);
   const std::string message =
       message_of<sys::InvalidQuantity>([&] { solve_by_fft(cylinders_on(400), tiny); });
