@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(other_cases_hold_and_omit_the_print) {
        with(with(with(paper, "radius = {value = 1,", "radius = {value = 2,"),
                  "radius = {value = 3,", "radius = {value = 5,"),
             "load = {value = 2500,", "load = {value = 1200,")},
-      {"no block", without(paper, "[block]", "# What the paper prints")},
+      {"no block", without(paper, "[block]", "# The paper's printed numbers")},
       {"no spheres", without(paper, "[point_contact]", "# The finite body")},
       {"a plane and other units", steel},
       {"a hollow", with(steel, "radius = \"plane\"", "radius = {value = -61, unit = \"mm\"}")},

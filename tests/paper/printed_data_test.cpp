@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(a_case_without_print_has_none) {
 BOOST_AUTO_TEST_CASE(missing_and_unknown_numbers_are_rejected_at_their_keys) {
   const std::string text = papers_text();
   check_refused(with(text, "\"1.6236048e-006\", ", ""),
-                "printed.tri_dist.displacement: 10 numbers for 11 points");
+                "printed.tri_dist.displacement: 10 numbers: must be 11, one per point");
   check_refused(with(text, "strain_energy = \"1.212280e-05\"\n", ""),
                 "printed.appendix2.measures.strain_energy: missing");
   check_refused(with(text, "zero_node = \"9\"", "zero_node = \"9\"\nlast = \"1\""),
