@@ -35,7 +35,7 @@ struct ContactFlags {
   CLI::App& command;
   Flag load{command, "--load", "FORCE/LENGTH", "Load", "Load P, force per length of the contact"};
   Flag datum{command, "--datum", "LENGTH", "Load",
-             "x of the surface points whose approach is computed; without it, none is"};
+             "Compute the approach of the surface points at this x"};
   Flag radius1{command, "--radius1", "LENGTH", "Bodies",
                "Radius of body 1, a cylinder; 'plane' for a plane, negative for a hollow"};
   Flag radius2{command, "--radius2", "LENGTH", "Bodies", "Radius of body 2 [plane]"};
@@ -45,7 +45,7 @@ struct ContactFlags {
                "CSV file with the columns x,gap [cylinder]"};
   Flag nodes{command, "--nodes", "COUNT", "Solution", "Number of nodes [401, or the case's]"};
   Flag domain{command, "--domain", "LENGTH", "Solution",
-              "Width that the nodes fill [the contact and a tenth more, or the file's]"};
+              "Width that the nodes fill [a tenth wider than the contact, or the file's]"};
   Flag element{command, "--element", "triangular|uniform|point", "Solution",
                "Pressure around a node: a triangle, a strip or a force [triangular]"};
   Flag method{command, "--method", "matrix-inversion|variational|fft", "Solution",

@@ -71,8 +71,8 @@ CurvePoints read_curve(const std::string& file, const std::string& heading, std:
   for (const Line& line : std::span(lines).subspan(1)) {
     const std::vector<double> numbers = numbers_of(file, line);
     if (numbers.size() != 2) {
-      throw sys::InputError(fmt::format("{}:{}: {} numbers, but the heading {} needs 2", file,
-                                        line.number, numbers.size(), heading));
+      throw sys::InputError(fmt::format("{}:{}: expected 2 numbers ({}), found {}", file,
+                                        line.number, heading, numbers.size()));
     }
     if (!points.x.empty() && !(numbers[0] > points.x.back())) {
       throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than the x before it, {}",
@@ -83,7 +83,7 @@ CurvePoints read_curve(const std::string& file, const std::string& heading, std:
   }
   if (points.x.size() < fewest) {
     throw sys::InputError(
-        fmt::format("{}: {} points, but at least {} are needed", file, points.x.size(), fewest));
+        fmt::format("{}: expected at least {} points, found {}", file, fewest, points.x.size()));
   }
   return points;
 }
@@ -95,16 +95,17 @@ Eigen::ArrayXXd read_grid(const std::string& file) {
   for (const Line& line : lines) {
     rows.push_back(numbers_of(file, line));
     if (rows.back().size() != rows.front().size()) {
-      throw sys::InputError(fmt::format("{}:{}: {} numbers, but line {} has {}", file, line.number,
-                                        rows.back().size(), lines[0].number, rows[0].size()));
+      throw sys::InputError(fmt::format("{}:{}: expected {} numbers as in line {}, found {}", file,
+                                        line.number, rows[0].size(), lines[0].number,
+                                        rows.back().size()));
     }
   }
   constexpr std::size_t fewest = 4;
   const std::size_t width = rows.empty() ? 0 : rows[0].size();
   if (rows.size() < fewest || width < fewest) {
     throw sys::InputError(
-        fmt::format("{}: {} lines of {} numbers, but at least {} of {} are needed", file,
-                    rows.size(), width, fewest, fewest));
+        fmt::format("{}: expected at least {} lines of {} numbers, found {} of {}", file, fewest,
+                    fewest, rows.size(), width));
   }
   Eigen::ArrayXXd grid(width, rows.size());
   for (std::size_t j = 0; j < rows.size(); ++j) {

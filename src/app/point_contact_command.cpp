@@ -33,8 +33,8 @@ struct RadiusFlags {
   std::string number, help;
   Flag radius{command, "--radius" + number, "LENGTH", "Bodies", help};
   Flag along_x{command, "--radius" + number + "x", "LENGTH", "Bodies",
-               "Or two principal radii: that along x"};
-  Flag along_y{command, "--radius" + number + "y", "LENGTH", "Bodies", "and that along y"};
+               "Principal radius along x, for an ellipsoid"};
+  Flag along_y{command, "--radius" + number + "y", "LENGTH", "Bodies", "Principal radius along y"};
 
   bool has_two() const { return along_x.is_given() || along_y.is_given(); }
 };
@@ -55,7 +55,7 @@ struct PointContactOptions {
              "Number of nodes along the longer side of the domain [256]"};
   Flag domain{
       command, "--domain", "LENGTH", "Solution",
-      "Width of the square that the nodes fill [the contact and a ninth more, or the file's]"};
+      "Width of the square that the nodes fill [a ninth wider than the contact, or the file's]"};
   Flag element{command, "--element", "pyramid|uniform", "Solution",
                "Pressure around a node: a pyramid, or uniform on a square [pyramid]"};
   Flag method{command, "--method", "fft|variational", "Solution",

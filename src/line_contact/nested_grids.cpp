@@ -169,7 +169,9 @@ double total_phi(const Problem& problem, double line_load) {
   const double total =
       2 * sys::require_positive("load", line_load) / (std::numbers::pi * problem.contact_modulus);
   if (!(total < contact::largest_length)) {
-    throw sys::InvalidQuantity("load", line_load, "smaller: its square overflows");
+    throw sys::InvalidQuantity(
+        "load", line_load,
+        fmt::format("less than {:.3g}", line_load / total * contact::largest_length));
   }
   return total;
 }

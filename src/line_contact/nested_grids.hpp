@@ -8,8 +8,8 @@
 
 namespace line_contact {
 
-/// Σφ for the load P: 2P/(πE*), a length. Throws InvalidQuantity for P ≤ 0 and if the square of Σφ
-/// would overflow.
+/// Σφ for the load P: 2P/(πE*), a length. Throws InvalidQuantity for P ≤ 0 and if Σφ is not less
+/// than contact::largest_length.
 double total_phi(const Problem& problem, double line_load);
 
 /// Solves on a sequence of grids, each with twice the nodes of the one before and starting from its

@@ -22,9 +22,9 @@ ContactMInput as_printed(const PrintedData& printed);
 
 /// The defects of the program to repair; none in the printed state.
 struct ContactMRepairs {
-  bool limits = false;         ///< eq. (3)'s limits at 0 and ±c instead of an offset
-  bool mirror_images = false;  ///< the pressures at x < 0 act on the nodes x ≥ 0
-  bool both_bodies = false;    ///< u_z1 + u_z2, not u_z1 alone
+  bool limits = false;                 ///< eq. (3)'s limits at 0 and ±c instead of an offset
+  bool mirror_images = false;          ///< the pressures at x < 0 act on the nodes x ≥ 0
+  bool both_bodies = false;            ///< u_z1 + u_z2, not u_z1 alone
   bool weight_of_equilibrium = false;  ///< each triangle carries c p, not c (aa − 2) p
   bool free_edge = false;              ///< aa found by p ≥ 0, not typed
   bool hertz_load = false;             ///< P in the lines for Hertz, not 2P

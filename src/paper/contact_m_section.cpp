@@ -226,11 +226,11 @@ void compare_mended(Document& document, const ContactCase& contact, const Contac
             scientific(1).rounded_up())
           .as_is();
   document.value("contact-m.rounding", difference);
-  document.check(
-      "contact-m-is-matrix-inversion",
-      {Criterion::at_most("largest difference of the pressures over the peak", difference,
-                          Limit(1e-10, LimitKind::choice, "the same equations in a different order"))},
-      "Contact.m with every correction is matrix inversion on a symmetric grid");
+  document.check("contact-m-is-matrix-inversion",
+                 {Criterion::at_most(
+                     "largest difference of the pressures over the peak", difference,
+                     Limit(1e-10, LimitKind::choice, "the same equations in a different order"))},
+                 "Contact.m with every correction is matrix inversion on a symmetric grid");
 }
 
 // Compares the printed program's results with what it claims to compute.
@@ -267,8 +267,9 @@ void claim_mended(Document& document, const ContactCase& contact, const ContactM
   document.value("contact-m.finer-peak-error", finer_error);
   document.claim(
       "contact-m-mended",
-      {.route = "the corrected program on a hundred grids of about its own spacing, which place the "
-          "edge at every hundredth of a spacing, and on a hundred grids four times as fine",
+      {.route =
+           "the corrected program on a hundred grids of about its own spacing, which place the "
+           "edge at every hundredth of a spacing, and on a hundred grids four times as fine",
        .expected = Verdict::holds,
        .criteria = {
            Criterion::at_most("largest relative error of the peak", error,

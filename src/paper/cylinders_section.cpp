@@ -119,11 +119,13 @@ void compare_with_hertz(Document& document, const Case& from, const Hertz& hertz
   document.table(std::move(table));
   document.value("cylinders.peak-error", peak);
   document.value("cylinders.width-error", half_width);
-  document.claim("hertz-verifies",
-                 {.route = "relative errors against Hertz; for cylinders the largest over all positions of the "
-                       "contact's edge between two nodes",
-                  .expected = Verdict::holds,
-                  .criteria = std::move(criteria)});
+  document.claim(
+      "hertz-verifies",
+      {.route =
+           "relative errors against Hertz; for cylinders the largest over all positions of the "
+           "contact's edge between two nodes",
+       .expected = Verdict::holds,
+       .criteria = std::move(criteria)});
 }
 
 // Solves the same discrete contact by three methods.

@@ -177,9 +177,10 @@ void compare_at_nodes(Document& document, const Study& triangular, const Study& 
   count("elements.finest", triangular.back());
   document.claim(
       "pressure-at-the-nodes",
-      {.route = "root mean squares of the errors against Hertz over many positions of the edge, with "
-          "and without a node in the middle, on grids of 60 to 400 elements over the "
-          "half-width",
+      {.route =
+           "root mean squares of the errors against Hertz over many positions of the edge, with "
+           "and without a node in the middle, on grids of 60 to 400 elements over the "
+           "half-width",
        .expected = Verdict::holds,
        .criteria = {
            is_of_order("order of the error inside, triangles",

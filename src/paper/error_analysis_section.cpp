@@ -28,7 +28,7 @@ void claim_datum(Document& document, const HalfSpaceCase& c, const PrintedData& 
   document.claim(
       "insensitive-to-c",
       {.route = "eq.~(2) by quadrature minus the printed FEA $z$ at the last point, for the given "
-          "datum and for one at half its distance",
+                "datum and for one at half its distance",
        .expected = Verdict::fails,
        .criteria = {Criterion::at_most("change of the error over the error",
                                        Value(shift / difference, percent(0)),

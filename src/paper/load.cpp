@@ -132,7 +132,7 @@ void tabulate_linear_fits(Document& document, const Run& run, const FittedLoad& 
   document.claim(
       "load-width",
       {.route = "a linear fall with both pressures and the half-width fitted to the printed "
-        "displacements",
+                "displacements",
        .expected = Verdict::holds,
        .criteria = {Criterion::agrees_relatively(
            "half-width", Value(any_width.half_width, uncertain(), units.length),
@@ -328,7 +328,7 @@ void claim_shape(Document& document, const Run& run, const LoadFitting& fitting,
   document.claim(
       "shape-undecided",
       {.route = "the pressures fitted for each shape, with the half-width held and fitted, on the "
-          "assumed supports",
+                "assumed supports",
        .expected = Verdict::holds,
        .criteria = {several,
                     Criterion::at_least(

@@ -19,9 +19,10 @@ void require_reportable(const parameters::Case& c) {
   const double half_width = c.half_space.load.half_width();
   if (c.half_space.datum < half_width) {
     table("half_space")
-        .fail("datum", fmt::format("{0:.6g} {1}: must be at least half_space.load.half_width, {2:.6g} "
-                                   "{1}, for the report",
-                                   c.half_space.datum, c.units.length, half_width));
+        .fail("datum",
+              fmt::format("{0:.12g} {1}: must be at least half_space.load.half_width, {2:.6g} "
+                          "{1}, for the report",
+                          c.half_space.datum, c.units.length, half_width));
   }
   constexpr long most_nodes = 401;  // the reference methods are dense
   if (c.contact.n_nodes > most_nodes) {

@@ -42,7 +42,8 @@ PrintedTriDist read_tri_dist(const config::Table& table, std::size_t n_points) {
 // Numbers under any names, some of which the report needs.
 Numbers read_numbers(const config::Table& table, const std::vector<std::string>& needed) {
   Numbers numbers;
-  for (const std::string& key : table.keys()) numbers.emplace(key, parameters::printed_number(table, key));
+  for (const std::string& key : table.keys())
+    numbers.emplace(key, parameters::printed_number(table, key));
   for (const std::string& key : needed) {
     if (!numbers.contains(key)) table.fail(key, "missing");
   }

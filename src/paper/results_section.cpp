@@ -135,12 +135,13 @@ void compare_figure5(Document& document, const HalfSpaceCase& c, const UnitSyste
     of_z.push_back(explains(i, printed.fea_z));
   }
   document.table(table);
-  document.claim("error-of-z",
-                 {.route = "the difference of the printed columns, analytical minus FEA $z$",
-                  .expected = Verdict::fails,
-                  .criteria = {Criterion::in_each(
-                      "that difference minus the printed error, in units of the columns' last place",
-                      "points", of_z)}});
+  document.claim(
+      "error-of-z",
+      {.route = "the difference of the printed columns, analytical minus FEA $z$",
+       .expected = Verdict::fails,
+       .criteria = {Criterion::in_each(
+           "that difference minus the printed error, in units of the columns' last place", "points",
+           of_z)}});
   document.check("figure5-error-column",
                  {Criterion::in_each("analytical minus magnitude minus error, in units of the last "
                                      "place",

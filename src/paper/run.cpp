@@ -176,8 +176,9 @@ void claim_comparison(Document& document, const HalfSpaceCase& h, const PrintedF
   }
   document.claim(
       "nearly-identical-under-load",
-      {.route = "under the load, eq.~(3) minus the printed FEA $z$, over the latter; outside it, the "
-          "printed error column",
+      {.route =
+           "under the load, eq.~(3) minus the printed FEA $z$, over the latter; outside it, the "
+           "printed error column",
        .expected = Verdict::holds,
        .criteria = {Criterion::at_most("largest difference under the load",
                                        Value(largest, percent(1).rounded_up()), nearly_identical()),

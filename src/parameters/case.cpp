@@ -36,7 +36,7 @@ double in_range(const config::Table& table, const std::string& key, config::Dime
                 const config::UnitSystem& units) {
   const double value = table.quantity(key, dimension, units);
   if (value != 0 && !(std::abs(value) >= least && std::abs(value) <= greatest)) {
-    table.fail(key, fmt::format("{:.6g} {}: its magnitude must be from {} to {}", value,
+    table.fail(key, fmt::format("{:.12g} {}: its magnitude must be from {} to {}", value,
                                 units.unit(dimension), least, greatest));
   }
   return value;
@@ -46,7 +46,8 @@ double positive(const config::Table& table, const std::string& key, config::Dime
                 const config::UnitSystem& units) {
   const double value = in_range(table, key, dimension, units);
   if (!(value > 0)) {
-    table.fail(key, fmt::format("{:.6g} {}: must be greater than 0", value, units.unit(dimension)));
+    table.fail(key,
+               fmt::format("{:.12g} {}: must be greater than 0", value, units.unit(dimension)));
   }
   return value;
 }
@@ -84,7 +85,7 @@ HalfSpaceCase read_half_space(const config::Table& table, const config::UnitSyst
   const double reach = farthest * triangle.half_width();
   const auto too_far = [&](double x) {
     return fmt::format(
-        "{0:.6g} {1}: must be at most {2:.6g} {1}, {3} times half_space.load.half_width", x,
+        "{0:.12g} {1}: must be at most {2:.6g} {1}, {3} times half_space.load.half_width", x,
         units.length, reach, farthest);
   };
   const double datum = positive(table, "datum", config::Dimension::length, units);
@@ -139,7 +140,7 @@ ContactCase read_contact(const config::Table& table, const config::UnitSystem& u
   if (datum <= end) {
     table.fail(
         "datum",
-        fmt::format("{0:.6g} {1}: must be greater than {2:.6g} {1}, the end of the grid that "
+        fmt::format("{0:.12g} {1}: must be greater than {2:.6g} {1}, the end of the grid that "
                     "follows from contact.load, nodes, body1 and body2",
                     datum, units.length, end));
   }
@@ -169,7 +170,7 @@ void require_suitable(const config::Table& table, const block::Rectangle& rectan
                       const HalfSpaceCase& half_space, const config::UnitSystem& units) {
   if (half_space.load.half_width() >= rectangle.right()) {
     table.fail("width",
-               fmt::format("{0:.6g} {1}: must be greater than {2:.6g} {1}, twice "
+               fmt::format("{0:.12g} {1}: must be greater than {2:.6g} {1}, twice "
                            "half_space.load.half_width",
                            rectangle.width(), units.length, 2 * half_space.load.half_width()));
   }
@@ -177,14 +178,14 @@ void require_suitable(const config::Table& table, const block::Rectangle& rectan
   for (const auto& [key, size] :
        {std::pair{"width", rectangle.width()}, std::pair{"height", rectangle.height()}}) {
     if (size > widest) {
-      table.fail(key, fmt::format("{0:.6g} {1}: must be at most {2:.6g} {1}, {3} times "
+      table.fail(key, fmt::format("{0:.12g} {1}: must be at most {2:.6g} {1}, {3} times "
                                   "half_space.load.half_width",
                                   size, units.length, widest, widest_block));
     }
   }
   if (half_space.farthest_point() > rectangle.right()) {
     table.fail("width",
-               fmt::format("{0:.6g} {1}: must be at least {2:.6g} {1}, twice the farthest of "
+               fmt::format("{0:.12g} {1}: must be at least {2:.6g} {1}, twice the farthest of "
                            "half_space.points",
                            rectangle.width(), units.length, 2 * half_space.farthest_point()));
   }

@@ -13,7 +13,7 @@
 
 namespace block_tests {
 
-/// The exact solution of the block with rollers on its sides and a clamped bottom, W = width/2.
+/// The exact solution of the block with roller sides and a clamped bottom, W = width/2.
 ///
 /// Its even pressure is p₀ + Σ pₙ cos kₙx, kₙ = nπ/W. To each term belongs Airy's function f(z) cos
 /// kx with f = (A + Bkz) e^{−kz} + [C + Dk(H − z)] e^{−k(H−z)}, whose displacements, of plane

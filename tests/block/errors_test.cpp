@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The errors of measures and displacements hold: loads × supports × discretisations.
+// The error bounds of measures and displacements hold: loads × supports × discretisations.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -30,7 +30,7 @@ constexpr block::Discretization discretizations[] = {{4, 1}, {5, 1}, {7, 1}, {10
 BOOST_AUTO_TEST_CASE(errors_hold_in_sixty_runs) {
   int n_runs = 0;
   for (const elasticity::Load& load : loads) {
-    // What is as good as exact: errors of a tenth of those of the finest run, or less
+    // The reference: errors of at most a tenth of those of the finest run
     const auto model = std::make_shared<const block::Model>(
         block::graded_mesh(paper_block::rectangle, {load}, {10, 3}), paper_block::material);
     for (const Support sides : {Support::clamped, Support::roller, Support::free}) {

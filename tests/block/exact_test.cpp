@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The block against exact solutions: cosine series, and states of even stress.
+// The block compared with exact solutions: cosine series and states of uniform stress.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(displacements_and_energy_on_rollers_are_exact_within_their_
 }
 
 BOOST_AUTO_TEST_CASE(greatest_stresses_and_displacements_on_rollers_are_exact_within_their_errors) {
-  // A search along the fields of 400,000 terms under the fall from 1000 to 600; at the kinks, where
+  // Maxima of the series with 400,000 terms under the fall from 1000 to 600; at the kinks, where
   // σ_xx (0, 0) and u_x (−a, 0) are greatest, extrapolated from 50,000, 100,000 and 400,000 terms
   const auto measures = paper_block::solve(falls[1].load(), rollers).measures();
 
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(greatest_stresses_and_displacements_on_rollers_are_exact_wi
   check(measure(measures, "max_disp_x"), 1.368752e-7, 1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(stresses_inside_a_block_of_another_material_and_shape_are_exact) {
+BOOST_AUTO_TEST_CASE(stresses_inside_a_block_of_different_material_and_shape_are_exact) {
   const block::Rectangle rectangle(5, 1.3);
   const elasticity::Material rubber(7, 0.47);
   const Fall wide{3, 1, 0.4};
@@ -95,12 +95,12 @@ BOOST_AUTO_TEST_CASE(stresses_inside_a_block_of_another_material_and_shape_are_e
   }
 }
 
-BOOST_AUTO_TEST_CASE(even_pressure_strains_a_free_block_and_one_between_rollers_evenly) {
+BOOST_AUTO_TEST_CASE(uniform_pressure_strains_a_free_block_and_one_between_rollers_uniformly) {
   const double young = 2.385e5, nu = 0.317, pressure = 71.5;
   const elasticity::Material material(young, nu);
   const auto load = elasticity::distributed_load([=](double) { return pressure; }, {-1, 1.3});
   for (int order = 1; order <= 10; ++order) {
-    // Elements up to 60 times as long as high
+    // Elements with aspect ratios up to 60
     const auto model = std::make_shared<const block::Model>(
         block::Mesh(order, {-1, -0.31, 0.02, 0.07, 1.3}, {0, 0.02, 0.33, 1.1}), material);
     for (const Support right : {Support::free, Support::roller}) {

@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(graded_lines_reach_the_smallest_size_and_grow_by_the_ratio_
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_kink_of_every_load_is_a_line_of_the_mesh_but_no_kink_twice) {
+BOOST_AUTO_TEST_CASE(every_kink_of_every_load_is_exactly_one_line_of_the_mesh) {
   const auto flat =
       elasticity::distributed_load([](double) { return 3.0; }, {-0.1, -0.06, 0.06, 0.1});
   const auto wider = elasticity::LinearFall(3, 0, std::nextafter(0.1, 1));

@@ -17,7 +17,7 @@ inline const elasticity::Material material(30e6, 0.30);
 inline const block::Rectangle rectangle(2, 1);
 inline constexpr double half_width = 0.010;
 
-/// x and the eleven measures, with their sign turned: u_z positive into the body, seven digits.
+/// x and the eleven measures with their sign reversed: u_z positive into the body, seven digits.
 inline const std::vector<std::pair<double, double>> printed{
     {0.000, 1.594637e-06}, {0.005, 1.523029e-06}, {0.010, 1.328265e-06}, {0.015, 1.146614e-06},
     {0.020, 1.046848e-06}, {0.025, 9.728517e-07}, {0.030, 9.145697e-07}, {0.035, 8.661087e-07},

@@ -21,7 +21,7 @@ elasticity::Load between(double begin, double end) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_block_refuses_what_it_cannot_compute) {
+BOOST_AUTO_TEST_CASE(a_block_rejects_invalid_input) {
   const auto analyse = [](const elasticity::Load& what, block::Discretization how = {}) {
     return block::Analysis(paper_block::rectangle, paper_block::material, {what}, how);
   };
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(a_block_refuses_what_it_cannot_compute) {
 }
 
 BOOST_AUTO_TEST_CASE(a_stiffness_beyond_doubles_is_an_exception) {
-  // As good as incompressible: λ/μ exceeds 1/ε, and nothing is left of the shear stiffness
+  // Practically incompressible: λ/μ exceeds 1/ε, so the shear stiffness is lost
   const elasticity::Material rubber(1, 0.5 - 1e-16);
   const auto solve = [&] {
     const block::Analysis analysis(paper_block::rectangle, rubber, {load}, {4, 1});

@@ -32,7 +32,7 @@ VectorXd vector(std::initializer_list<double> values) {
   return result;
 }
 
-// Find φ ≥ 0 with the gap Mφ + q ≥ 0 and φ·gap = 0.
+// Finds φ ≥ 0 with the gap Mφ + q ≥ 0 and φ·gap = 0.
 struct Complementarity {
   MatrixXd matrix;
   VectorXd q;
@@ -51,8 +51,8 @@ struct Complementarity {
   VectorXd gap(const VectorXd& phi) const { return matrix * phi + q; }
 };
 
-// Murty's matrix: all its principal minors are positive, and changing all that is wrong at once
-// goes from {1,2} to {2,3}, {1,3} and back (Murty 1988, Linear Complementarity, p. 3.2: q = −1).
+// Murty's matrix: all its principal minors are positive, but changing all wrong nodes at once
+// cycles from {1,2} to {2,3}, {1,3} and back (Murty 1988, Linear Complementarity, p. 3.2: q = −1).
 const Complementarity murty{(MatrixXd(3, 3) << 1, 2, 0, 0, 1, 2, 2, 0, 1).finished(),
                             vector({-1, -1, -1})};
 
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(a_node_without_pressure_is_not_in_contact) {
   BOOST_TEST((in_contact == mask({false, true})).all());
 }
 
-BOOST_AUTO_TEST_CASE(penetration_up_to_the_smallest_gap_is_none) {
+BOOST_AUTO_TEST_CASE(penetration_up_to_the_smallest_gap_is_ignored) {
   ContactMask in_contact = mask({true, false, false});
   const VectorXd phi = vector({1, 0, 0});
 
@@ -98,15 +98,15 @@ BOOST_AUTO_TEST_CASE(penetration_up_to_the_smallest_gap_is_none) {
   BOOST_TEST((in_contact == mask({true, true, false})).all());
 }
 
-BOOST_AUTO_TEST_CASE(changing_all_that_is_wrong_runs_in_circles_for_murtys_matrix) {
+BOOST_AUTO_TEST_CASE(changing_all_wrong_nodes_cycles_for_murtys_matrix) {
   ContactMask in_contact = mask({true, true, false});
   for (int i = 0; i < 3; ++i) BOOST_TEST(change_all_that_is_wrong(murty, in_contact));
 
   BOOST_TEST((in_contact == mask({true, true, false})).all());
 }
 
-BOOST_AUTO_TEST_CASE(the_search_does_not_run_in_circles) {
-  // From each of the eight sets, those of the circle among them, to φ = 1/3 everywhere.
+BOOST_AUTO_TEST_CASE(the_search_does_not_cycle) {
+  // From each of the eight sets, including those of the cycle, to φ = 1/3 everywhere.
   for (int start = 0; start < 8; ++start) {
     ContactMask in_contact = mask({(start & 1) != 0, (start & 2) != 0, (start & 4) != 0});
     ContactSearch search;
@@ -123,15 +123,15 @@ BOOST_AUTO_TEST_CASE(the_search_does_not_run_in_circles) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(without_progress_it_comes_to_change_only_the_last_that_is_wrong) {
-  // Always the same two nodes wrong: at first both change, in the end the last of them alone.
+BOOST_AUTO_TEST_CASE(without_progress_it_ends_up_changing_only_the_last_wrong_node) {
+  // The same two nodes are always wrong: at first both change, in the end only the last.
   ContactSearch search;
   ContactMask in_contact = mask({true, false, true, false});
   const auto revise = [&] {
     const ContactMask before = in_contact;
     VectorXd phi(4);
     VectorXd gap(4);
-    for (const Index i : {0, 3}) phi[i] = gap[i] = 1;  // right, either way
+    for (const Index i : {0, 3}) phi[i] = gap[i] = 1;  // consistent in either state
     for (const Index i : {1, 2}) phi[i] = gap[i] = -1;
     BOOST_TEST(!search.revise(in_contact, phi, gap, 0));
     return (before != in_contact).eval();
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(without_progress_it_comes_to_change_only_the_last_that_is_w
     ++changing_both;
   }
 
-  BOOST_TEST(changing_both == 11);  // the first time, and the ten that it is patient
+  BOOST_TEST(changing_both == 11);  // the first revision and ten of patience
   for (int i = 0; i < 5; ++i) BOOST_TEST((revise() == mask({false, false, true, false})).all());
 }
 

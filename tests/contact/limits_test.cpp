@@ -14,9 +14,9 @@ using contact::require_resolved;
 using contact::require_tolerance;
 using contact::resolution_warning;
 
-BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_refused_with_nodes_and_domain_that_would_do) {
+BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_rejected_with_sufficient_nodes_and_domain) {
   check_refused({
-      {"number of nodes in contact = 4: must be 8 or more: take at least 500 nodes in place of "
+      {"number of nodes in contact = 4: must be 8 or more: use at least 500 nodes instead of "
        "100, "
        "or a domain of 0.4 or less",
        [] {
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_refused_with_nodes_and_domain_tha
   BOOST_TEST(require_tolerance(0.01, 1e-13) == 0.01);
 }
 
-BOOST_AUTO_TEST_CASE(a_coarse_contact_is_warned_of_with_the_size_of_the_error) {
+BOOST_AUTO_TEST_CASE(a_coarse_contact_causes_a_warning_with_the_size_of_the_error) {
   BOOST_TEST(resolution_warning({20, 20, 100, 2}).empty());
   const std::string warning = resolution_warning({12, 12, 100, 2});
   BOOST_TEST((warning.find("12 nodes lie across the contact") != warning.npos));

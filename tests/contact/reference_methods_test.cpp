@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A row of springs of which each presses its neighbours down too: no bodies, only equations.
+// A row of springs, each of which also displaces its neighbours: no bodies, only equations.
 #include "contact/reference_methods.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ ContactLoads minimised(const Equations& equations, int max_products = 5000) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(each_node_has_a_load_or_a_gap_and_all_carry_the_total) {
+BOOST_AUTO_TEST_CASE(each_node_has_a_load_or_a_gap_and_the_loads_sum_to_the_total) {
   for (const double total : {0.01, 1.385, 40.0}) {
     const Equations equations = parabola(total);
     for (const ContactLoads& loads : {invert(equations, influence), minimised(equations)}) {
@@ -64,7 +64,8 @@ BOOST_AUTO_TEST_CASE(each_node_has_a_load_or_a_gap_and_all_carry_the_total) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(both_methods_find_the_same_though_one_never_looks_for_the_contact) {
+BOOST_AUTO_TEST_CASE(
+    both_methods_find_the_same_solution_though_one_never_searches_for_the_contact) {
   const Equations equations = parabola(1.385);
   const ContactLoads inverted = invert(equations, influence);
   const ContactLoads least = minimised(equations);
@@ -75,7 +76,7 @@ BOOST_AUTO_TEST_CASE(both_methods_find_the_same_though_one_never_looks_for_the_c
   BOOST_TEST(least.products > 2);
 }
 
-BOOST_AUTO_TEST_CASE(a_minimum_out_of_reach_is_an_error_that_says_after_how_many_products) {
+BOOST_AUTO_TEST_CASE(a_minimum_out_of_reach_is_an_error_with_the_number_of_products) {
   BOOST_TEST(
       message_of<contact::ContactError>([] { minimised(parabola(1.385), 4); }) ==
       "the computation failed: the variational method did not reach its minimum in 4 products");

@@ -37,7 +37,7 @@ std::vector<double> whole_numbers() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(at_whole_numbers_potentials_have_fourteen_digits) {
+BOOST_AUTO_TEST_CASE(potentials_have_fourteen_digits_at_whole_numbers) {
   for (const double k : whole_numbers()) {
     BOOST_TEST_CONTEXT("k = " << k) {
       BOOST_TEST(relative(elasticity::triangle_potential(k), precise_triangle(k)) < 1e-14);
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(rises_from_one_whole_number_to_the_next_have_fourteen_digit
   }
 }
 
-BOOST_AUTO_TEST_CASE(anywhere_potentials_are_right_to_some_roundings_of_the_greatest_term) {
+BOOST_AUTO_TEST_CASE(potentials_are_accurate_to_a_few_roundings_of_the_greatest_term_anywhere) {
   RandomInputs random(12);
   for (int i = 0; i < 20000; ++i) {
     const double xi = random.point(1e9);
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(anywhere_potentials_are_right_to_some_roundings_of_the_grea
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_gradient_of_a_triangle_has_fourteen_digits_also_beside_its_kinks) {
+BOOST_AUTO_TEST_CASE(the_gradient_of_a_triangle_has_fourteen_digits_even_beside_its_kinks) {
   RandomInputs random(11);
   for (int i = 0; i < 20000; ++i) {
     const double xi = random.point(1e9);
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(the_gradient_of_a_triangle_has_fourteen_digits_also_beside_
              tolerance::rounding);
 }
 
-BOOST_AUTO_TEST_CASE(all_hold_out_to_where_squares_overflow) {
+BOOST_AUTO_TEST_CASE(all_functions_hold_up_to_where_squares_overflow) {
   for (const double xi : {1e9, 1e100, 1e200, 1e290}) {
     const double logarithm = std::log(xi);
     BOOST_TEST(tolerance::relative_difference(elasticity::triangle_potential(xi), logarithm) <

@@ -36,7 +36,7 @@ using Bracket = std::function<Precise(const Precise& xi)>;
 using Surface = std::function<double(double a, double x)>;
 using FromDatum = std::function<double(double a, double x, double datum)>;
 
-// A shape of a pressure on |x| ≤ a with its closed forms and what they are in a hundred digits.
+// A pressure on |x| ≤ a with its closed forms, in double and in a hundred digits.
 struct Shape {
   std::string name;
   Surface gradient;
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(gradients_have_thirteen_digits_from_the_centre_to_1e9_half_
   }
 }
 
-BOOST_AUTO_TEST_CASE(displacements_are_right_to_1e_14_of_their_scale_to_1e9_half_widths) {
+BOOST_AUTO_TEST_CASE(displacements_are_accurate_to_1e_14_of_their_scale_up_to_1e9_half_widths) {
   for (const Shape& s : shapes) {
     RandomInputs random(12);
     for (int i = 0; i < 8000; ++i) {
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(displacements_are_right_to_1e_14_of_their_scale_to_1e9_half
   }
 }
 
-BOOST_AUTO_TEST_CASE(displacement_prints_the_digits_of_the_paper) {
+BOOST_AUTO_TEST_CASE(displacement_matches_the_digits_of_the_paper) {
   // Ruggiero (2001), Appendix 1, output of Tri_dist.m, eight digits; the third value was taken 1e-7
   // in beside x = 0.010 in and is left out.
   constexpr std::array<double, 11> printed = {1.6236048e-6, 1.5187874e-6, 0,
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(zeros_of_the_surface_have_no_minus_sign) {
   for (const Shape& s : shapes) BOOST_TEST(!std::signbit(s.gradient(1, 0)));
 }
 
-BOOST_AUTO_TEST_CASE(far_away_the_resultant_alone_counts) {
+BOOST_AUTO_TEST_CASE(far_away_only_the_resultant_matters) {
   // With u the next term, a part of (a/x)² of the first.
   const double a = 0.7;
   const TriangularLoad triangle(p0, a);
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(under_a_force_the_displacement_falls_by_the_same_amount_in_
   }
 }
 
-BOOST_AUTO_TEST_CASE(loads_are_what_they_are_called) {
+BOOST_AUTO_TEST_CASE(loads_have_the_pressure_of_their_name) {
   const Load triangle = TriangularLoad(1000, 0.01);
   BOOST_TEST(triangle.normal(0) == 1000);
   BOOST_TEST(relative_difference(triangle.normal(-0.0025), 750) < 1e-15);

@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(the_compliances_of_two_bodies_add_up_to_the_contact_modulus
              tolerance::rounding);
 }
 
-BOOST_AUTO_TEST_CASE(dundurs_constant_is_johnsons_and_zero_for_alike_materials) {
+BOOST_AUTO_TEST_CASE(dundurs_constant_matches_johnson_and_is_zero_for_identical_materials) {
   RandomInputs random(2385);
   for (int i = 0; i < 100; ++i) {
     const Material first(random.log_uniform(1, 1e6), random.uniform(-0.9, 0.49));

@@ -23,7 +23,7 @@ using elasticity::SurfaceQuadrature;
 using elasticity::TriangularLoad;
 using elasticity::UniformLoad;
 
-BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_by_name) {
+BOOST_AUTO_TEST_CASE(invalid_input_is_rejected_by_name) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Material steel(30e6, 0.3);
   const TriangularLoad triangle(1, 1);

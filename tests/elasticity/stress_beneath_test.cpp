@@ -67,7 +67,7 @@ ExactStress exact_stress(const Segment& e, double x_, double z_) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_segment_is_right_to_1e_14_of_its_pressure_near_and_far) {
+BOOST_AUTO_TEST_CASE(a_segment_is_accurate_to_1e_14_of_its_pressure_near_and_far) {
   RandomInputs random(52);
   for (int i = 0; i < 4000; ++i) {
     // One end at 0, so that a point may be 1e-9 lengths beside it.
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_segment_is_right_to_1e_14_of_its_pressure_near_and_far) {
     const double error =
         std::max({abs(found.xx - exact.xx), abs(found.zz - exact.zz), abs(found.xz - exact.xz)})
             .toDouble();
-    // Far away the stress is that of the line force, a part length/distance of the pressure.
+    // Far away the stress is that of the line force, of the order of pressure·length/distance.
     const double scale = std::min(1.0, length / std::hypot(x, z));
     BOOST_TEST_CONTEXT("x = " << x << ", z = " << z << ", length = " << length) {
       BOOST_TEST(error < 1e-14 * 2.385 * scale);
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_pressure_at_nodes_is_the_quadrature_of_line_forces) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(beneath_a_strip_the_stresses_are_those_of_its_two_angles) {
+BOOST_AUTO_TEST_CASE(stresses_beneath_a_strip_follow_from_its_two_angles) {
   // Johnson (2.30): with θ₁, θ₂ the angles to the edges, σ_xx, σ_zz = −(p/2π)[2(θ₁−θ₂) ± (sin 2θ₁ −
   // sin 2θ₂)], σ_xz = (p/2π)(cos 2θ₁ − cos 2θ₂).
   const double a = 0.7, p = 2.385;
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(beneath_a_strip_the_stresses_are_those_of_its_two_angles) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(on_the_surface_it_is_the_limit) {
+BOOST_AUTO_TEST_CASE(on_the_surface_the_stress_is_the_limit) {
   const std::array nodes = {-0.7, 0.0, 0.7};
   const std::array pressures = {0.0, 2.385, 0.0};
   for (const double x : {-1.1, -0.7, -0.2, 0.0, 0.65}) {

@@ -20,7 +20,7 @@ Stress random_stress(RandomInputs& random) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(principal_stresses_and_greatest_shear_bound_those_of_all_planes) {
+BOOST_AUTO_TEST_CASE(principal_stresses_and_greatest_shear_bound_those_on_all_planes) {
   RandomInputs random(41);
   constexpr int n_planes = 20000;
   for (int i = 0; i < 20; ++i) {
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(principal_stresses_and_greatest_shear_bound_those_of_all_pl
     const auto principal = s.principal(0.29);
     const double across = 0.29 * (s.xx + s.zz);
 
-    // The nearest plane misses the extreme one by half a step: 2 τ₁ (π/2n)², some 1e-7.
+    // The nearest plane misses the extreme one by half a step: 2 τ₁ (π/2n)², about 1e-7.
     BOOST_TEST(std::abs(principal.front() - std::max(greatest, across)) < 1e-6);
     BOOST_TEST(std::abs(principal.back() - std::min(least, across)) < 1e-6);
     BOOST_TEST(std::abs(s.max_shear() - shear) < 1e-6);
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(principal_stresses_and_greatest_shear_bound_those_of_all_pl
   }
 }
 
-BOOST_AUTO_TEST_CASE(von_mises_is_that_of_the_three_principal_stresses) {
+BOOST_AUTO_TEST_CASE(von_mises_follows_from_the_three_principal_stresses) {
   RandomInputs random(42);
   for (int i = 0; i < 200; ++i) {
     const Stress s = random_stress(random);
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(von_mises_is_that_of_the_three_principal_stresses) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_hydrostatic_stress_of_an_incompressible_body_leaves_no_rounding) {
+BOOST_AUTO_TEST_CASE(a_hydrostatic_stress_in_an_incompressible_body_leaves_no_rounding) {
   BOOST_TEST((Stress{-1e9, -1e9, 1}.von_mises(0.5)) == std::numbers::sqrt3);
 }
 

@@ -24,7 +24,7 @@ using std::numbers::pi;
 
 namespace {
 
-// The difference is below the reported error, and that is at most 1e-10 of the unit.
+// The difference is below the reported error, which is at most 1e-10 of the unit.
 void check(const Estimate& estimate, double exact, double unit, double x) {
   BOOST_TEST_CONTEXT("x = " << x) {
     const double rounding_of_closed_form = tolerance::displacement * unit;
@@ -49,7 +49,7 @@ struct RandomCase {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(gradient_and_displacement_by_equation_2_agree_with_equation_3_kinks_included) {
+BOOST_AUTO_TEST_CASE(gradient_and_displacement_by_equation_2_agree_with_equation_3_even_at_kinks) {
   RandomInputs random(31);
   for (int i = 0; i < 100; ++i) {
     const RandomCase c(random);
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(a_uniform_load_agrees_with_its_closed_form_between_its_jump
         unit, 0.1);
 }
 
-BOOST_AUTO_TEST_CASE(an_elliptic_pressure_makes_a_parabola_under_itself) {
+BOOST_AUTO_TEST_CASE(an_elliptic_pressure_displaces_the_surface_beneath_it_to_a_parabola) {
   // Hertz: p = p₀ √(1 − x²/a²) gives ∂u_z/∂x = −2(1−ν²) p₀ x/(E a) inside (Johnson 4.42).
   const Material steel(207e3, 0.29);
   const double p0 = 830;
@@ -198,7 +198,7 @@ const Narrow narrow_loads[] = {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_error_of_a_load_with_a_narrow_feature_holds) {
+BOOST_AUTO_TEST_CASE(the_error_bound_holds_for_a_load_with_a_narrow_feature) {
   for (const Narrow& n : narrow_loads) {
     const auto pressure = [&](double s) {
       return 0.5 + n.amplitude * n.shape((s - n.centre) / n.width);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What users get wrong, and what they read: exit code 2, one line on standard error with their own
-// number and what is allowed, nothing on standard output, nothing written.
+// Users' mistakes and the messages they see: exit code 2, one line on standard error with the
+// user's own number and the allowed range, nothing on standard output, nothing written.
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <string>
@@ -15,11 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Refusal {
-  const char* arguments;  // separated by blanks
+  const char* arguments;  // separated by spaces
   const char* message;
 };
 
-// Runs in the folder, where the files of the arguments are.
+// Runs in the folder that contains the files of the arguments.
 void check(const fs::path& folder, const std::vector<Refusal>& refusals) {
   for (const auto& [arguments, message] : refusals) {
     BOOST_TEST_CONTEXT(arguments) {
@@ -39,7 +39,7 @@ void check(const std::vector<Refusal>& refusals) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(commands_and_flags_that_there_are_not) {
+BOOST_AUTO_TEST_CASE(unknown_commands_and_flags) {
   check({
       {"",
        "a command is missing: displacement, contact, point-contact, stress, block (see halfspace "
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(commands_and_flags_that_there_are_not) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(choices_that_there_are_not) {
+BOOST_AUTO_TEST_CASE(unknown_choices) {
   check({
       {"contact --units SI", "--units = SI: must be in-lbf, m-N or mm-N"},
       {"contact --format xml", "--format = xml: must be csv, json or table"},
@@ -85,13 +85,13 @@ BOOST_AUTO_TEST_CASE(choices_that_there_are_not) {
        "--plot = out.jpg: must end with .svg, .png or .pdf, or be -"},
       {"displacement --plot no/out.svg", "--plot = no/out.svg: folder does not exist"},
       {"displacement --plot - --format csv",
-       "--plot = -: needs --format table, below which it is drawn"},
+       "--plot = -: needs --format table; the plot is printed below the table"},
       {"point-contact --radius1 1 --load 1 --field no/field.csv",
        "--field = no/field.csv: folder does not exist"},
   });
 }
 
-BOOST_AUTO_TEST_CASE(numbers_that_are_none_and_units_of_something_else) {
+BOOST_AUTO_TEST_CASE(malformed_numbers_and_units_of_a_different_dimension) {
   check({
       {"contact --radius1 10 --load 1,5", "--load: \"1,5\" is not a number"},
       {"contact --radius1 10 --load many", "--load: \"many\" is not a number"},
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(quantities_out_of_range) {
   check({
       {"contact --radius1 10 --load 0", "--load = 0: must be greater than 0"},
       {"contact --radius1 10 --load=-7N/mm", "--load = -7N/mm: must be greater than 0"},
-      {"contact --radius1 0 --load 1", "--radius1 = 0: must be other than 0; 'plane' is a plane"},
+      {"contact --radius1 0 --load 1", "--radius1 = 0: must not be 0; write 'plane' for a plane"},
       {"contact --radius1 10 --load 1 --young1 -3 --poisson1 0.3",
        "--young1 = -3: must be greater than 0"},
       {"contact --radius1 10 --load 1 --young1 3 --poisson1 3",
@@ -127,13 +127,13 @@ BOOST_AUTO_TEST_CASE(quantities_out_of_range) {
        "--poisson = 0.5: must be between -1 and 0.5, both excluded"},
       {"contact --radius1 10 --radius2 -5 --load 1",
        "1/radius1 + 1/radius2 = -0.1: must be greater than 0: at most one plane, and a hollow "
-       "wider than the cylinder in it"},
+       "only if wider than the cylinder in it"},
       {"contact --radius1 plane --load 1",
-       "1/radius1 + 1/radius2 = 0: must be greater than 0: at most one plane, and a hollow wider "
-       "than the cylinder in it"},
+       "1/radius1 + 1/radius2 = 0: must be greater than 0: at most one plane, and a hollow "
+       "only if wider than the cylinder in it"},
       {"point-contact --radius1 10 --radius2 -9 --load 1",
-       "the curvatures 1/radius1 + 1/radius2 are -0.0111111 along x and -0.0111111 along y: must "
-       "be greater than 0"},
+       "1/radius1 + 1/radius2 = -0.0111111 along x and -0.0111111 along y: both must be greater "
+       "than 0"},
       {"displacement --peak-pressure -5MPa --half-width 1",
        "--peak-pressure = -5MPa: must be greater than 0"},
       {"displacement --peak-pressure 1 --half-width 0", "--half-width = 0: must be greater than 0"},
@@ -160,15 +160,15 @@ BOOST_AUTO_TEST_CASE(lists_and_ranges) {
       {"1,", "--x = 1,: a number is missing"},
       {"0;1", "--x: \"0;1\" is not a number"},
       {"0,inf", "--x = inf: must be a finite number"},
-      {"0:1", "--x = 0:1: a range is BEGIN:END:STEP"},
-      {"0:1:-0.1", "--x = 0:1:-0.1: the step of BEGIN:END:STEP must lead from BEGIN to END"},
+      {"0:1", "--x = 0:1: a range must be BEGIN:END:STEP"},
+      {"0:1:-0.1", "--x = 0:1:-0.1: STEP of BEGIN:END:STEP must lead from BEGIN to END"},
       {"0:1:0", "--x = 0:1:0: a range has at most 1000000 points"},
       {"0:1:1e-9", "--x = 0:1:1e-9: a range has at most 1000000 points"},
   };
   for (const auto& [list, message] : lists) check({{(load + list).c_str(), message.c_str()}});
 }
 
-BOOST_AUTO_TEST_CASE(flags_that_are_missing_are_all_named) {
+BOOST_AUTO_TEST_CASE(all_missing_flags_are_listed) {
   check({
       {"contact", "--radius1 and --load are missing"},
       {"contact --load 100", "--radius1 is missing"},
@@ -176,14 +176,14 @@ BOOST_AUTO_TEST_CASE(flags_that_are_missing_are_all_named) {
       {"displacement --shape concentrated", "--line-load is missing"},
       {"displacement --shape concentrated --line-load 1", "--x is missing"},
       {"displacement --shape expression:p0 --half-width 1",
-       "--peak-pressure, p0 of the formula, is missing"},
+       "--peak-pressure, p0 in the formula, is missing"},
       {"block --peak-pressure 1 --half-width 1", "--width and --height are missing"},
       {"point-contact", "--radius1 and --load are missing"},
       {"point-contact --load 1 --radius1x 3", "--radius1y is missing"},
   });
 }
 
-BOOST_AUTO_TEST_CASE(flags_that_have_no_meaning_for_what_is_chosen) {
+BOOST_AUTO_TEST_CASE(flags_that_are_meaningless_for_the_choice) {
   const TemporaryFolder folder;
   folder.write("gap.csv", "x,gap\n-1,1\n0,0\n1,1\n2,4\n");
   folder.write("load.csv", "x,pressure\n0,0\n1,1\n");
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(flags_that_have_no_meaning_for_what_is_chosen) {
           {"stress --shape uniform --peak-pressure 1 --half-width 1 --radius1 3",
            "--radius1 has no meaning for --shape uniform"},
           {"stress --radius1 10 --load 1 --half-width 3",
-           "--half-width has no meaning for a contact; --shape gives a pressure"},
+           "--half-width has no meaning for a contact; a pressure needs --shape"},
           {"stress --radius1 10 --load 1 --element uniform",
            "--element = uniform: stresses need triangular elements"},
           {"point-contact --radius1 10 --load 1 --spacing 1",
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(flags_that_have_no_meaning_for_what_is_chosen) {
       });
 }
 
-BOOST_AUTO_TEST_CASE(files_are_refused_with_the_place_of_what_is_wrong_in_them) {
+BOOST_AUTO_TEST_CASE(invalid_files_are_rejected_with_the_position_of_the_error) {
   const TemporaryFolder folder;
   const auto check_file = [&](const std::string& text, const char* arguments, const char* message) {
     folder.write("it.csv", text);
@@ -221,24 +221,24 @@ BOOST_AUTO_TEST_CASE(files_are_refused_with_the_place_of_what_is_wrong_in_them) 
   };
   const char* profile = "contact --load 1 --profile file:it.csv";
   check_file("x,gap\n0,1\n1,0\n0.5,1\n2,2\n", profile,
-             "it.csv:4: x = 0.5: must be greater than 1, the one before");
+             "it.csv:4: x = 0.5: must be greater than the x before it, 1");
   check_file("# mine\nx,gap\n0,1\n1,low\n2,1\n3,2\n", profile,
              "it.csv:4:3: \"low\" is not a number");
-  check_file("x,gap\n0,1\n1\n2,1\n3,2\n", profile,
-             "it.csv:3: 1 numbers, but the heading x,gap needs 2");
-  check_file("x,gap\n0,1\n1,0\n2,1\n", profile, "it.csv: 3 points, but at least 4 are needed");
+  check_file("x,gap\n0,1\n1\n2,1\n3,2\n", profile, "it.csv:3: expected 2 numbers (x,gap), found 1");
+  check_file("x,gap\n0,1\n1,0\n2,1\n", profile, "it.csv: expected at least 4 points, found 3");
   check_file("x,height\n0,1\n1,2\n", profile, "it.csv:1: the heading must be x,gap");
   check_file("", profile, "it.csv:1: the heading must be x,gap");
   const char* load = "displacement --shape file:it.csv";
   check_file("x,pressure\n0,0\n1,much\n2,0\n", load, "it.csv:3:3: \"much\" is not a number");
-  check_file("x,pressure\n0,0\n", load, "it.csv: 1 points, but at least 2 are needed");
+  check_file("x,pressure\n0,0\n", load, "it.csv: expected at least 2 points, found 1");
   const char* list = "displacement --peak-pressure 1 --half-width 1 --x-file it.csv";
   check_file("# in\n0\n0;5\n", list, "it.csv:3:1: \"0;5\" is not a number");
-  check_file("\n", list, "it.csv: has no number");
+  check_file("\n", list, "it.csv: contains no numbers");
   const char* map = "point-contact --load 1 --spacing 1 --profile heights:it.csv";
   check_file("1,2,3,4\n1,,3,4\n1,2,3,4\n1,2,3,4\n", map, "it.csv:2:3: a number is missing");
-  check_file("1,2,3,4\n1,2,3\n1,2,3,4\n1,2,3,4\n", map, "it.csv:2: 3 numbers, but line 1 has 4");
-  check_file("1,2,3\n", map, "it.csv: 1 lines of 3 numbers, but at least 4 of 4 are needed");
+  check_file("1,2,3,4\n1,2,3\n1,2,3,4\n1,2,3,4\n", map,
+             "it.csv:2: expected 4 numbers as in line 1, found 3");
+  check_file("1,2,3\n", map, "it.csv: expected at least 4 lines of 4 numbers, found 1 of 3");
   check(folder.path(), {
                            {"displacement --peak-pressure 1 --half-width 1 --x-file none.txt",
                             "cannot read 'none.txt': No such file or directory"},
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(files_are_refused_with_the_place_of_what_is_wrong_in_them) 
                        });
 }
 
-BOOST_AUTO_TEST_CASE(formulas_are_refused_with_the_column_of_what_is_wrong_in_them) {
+BOOST_AUTO_TEST_CASE(invalid_formulas_are_rejected_with_the_column_of_the_error) {
   check({
       {"displacement --peak-pressure 1 --half-width 1 --shape expression:p0*(1-(x/a)^4",
        "expression \"p0*(1-(x/a)^4\", column 14: missing parenthesis"},
@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(formulas_are_refused_with_the_column_of_what_is_wrong_in_th
   });
 }
 
-BOOST_AUTO_TEST_CASE(cases_are_refused_at_the_place_of_what_is_wrong_in_them) {
+BOOST_AUTO_TEST_CASE(invalid_cases_are_rejected_with_the_position_of_the_error) {
   const TemporaryFolder folder;
   const std::string paper = sys::read_file(papers_case);
   struct Change {
@@ -302,9 +302,9 @@ BOOST_AUTO_TEST_CASE(contacts_that_the_nodes_do_not_resolve) {
                               "point-contact --radius1 10 --load 100 --nodes 14"}) {
     const Outcome coarse = run_program(words_of(command));
     BOOST_TEST(coarse.status == 0);
-    BOOST_TEST(coarse.errors.find("warning: 1") != std::string::npos, coarse.errors);
+    BOOST_TEST(coarse.errors.find("warning: only 1") != std::string::npos, coarse.errors);
     BOOST_TEST(coarse.errors.find(" nodes lie across the contact") != std::string::npos);
-    BOOST_TEST(coarse.errors.find("right to about 1 %") != std::string::npos, coarse.errors);
+    BOOST_TEST(coarse.errors.find("accurate to about 1 %") != std::string::npos, coarse.errors);
   }
 }
 
@@ -317,13 +317,13 @@ BOOST_AUTO_TEST_CASE(results_beyond_the_range_of_a_double) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(output_that_is_lost_is_no_success) {
+BOOST_AUTO_TEST_CASE(lost_output_is_an_error) {
   if (!fs::exists("/dev/full")) return;
   const auto result =
       run_shell(R"("$1" contact --radius1 10 --load 1 >/dev/full)", {HALFSPACE_PROGRAM});
 
   BOOST_TEST(result.exit_status == 2);
-  BOOST_TEST(result.output == "halfspace: standard output cannot be written\n");
+  BOOST_TEST(result.output == "halfspace: cannot write to standard output\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

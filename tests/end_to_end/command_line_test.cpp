@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all commands share: help, units, ranges, cases and formats; and what `displacement` and
-// `block` print.
+// Behaviour common to all commands: help, units, ranges, cases and formats; and the output of
+// `displacement` and `block`.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <charconv>
@@ -40,7 +40,7 @@ std::string shortest(double number) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(helps_fit_eighty_columns_and_have_the_words_that_engineers_search_for) {
+BOOST_AUTO_TEST_CASE(help_fits_eighty_columns_and_contains_the_words_that_engineers_search_for) {
   std::string helps = output_of({"--help"});
   for (const std::string& name : names) {
     BOOST_TEST(helps.find(name) != std::string::npos);
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(helps_fit_eighty_columns_and_have_the_words_that_engineers_
   BOOST_TEST(output_of({"--version"}).starts_with("halfspace 0."));
 }
 
-BOOST_AUTO_TEST_CASE(each_help_has_three_examples_and_they_run) {
+BOOST_AUTO_TEST_CASE(each_help_has_three_examples_that_run) {
   const TemporaryFolder folder;
   folder.write("gap.csv", "x,gap\n-0.2,0.004\n-0.1,0.001\n0,0\n0.1,0.001\n0.2,0.004\n");
   folder.write("map.csv", "0,0,0,0,0\n0,8,9,8,0\n0,9,10,9,0\n0,8,9,8,0\n0,0,0,0,0\n");
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(each_help_has_three_examples_and_they_run) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(answers_fit_eighty_columns_in_every_system_of_units) {
+BOOST_AUTO_TEST_CASE(output_fits_eighty_columns_in_every_system_of_units) {
   for (const char* command :
        {"displacement --peak-pressure 1e9 --half-width 1e-3 --units m-N",
         "displacement --peak-pressure 123456 --half-width 1e-3 --units in-lbf --component "
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(a_quantity_is_the_same_in_every_unit) {
                          words_of("--poisson 0.3 --format csv")) == plain,
                young);
   }
-  BOOST_TEST(output_of(strip + words_of("--format csv")) == plain);  // steel where nothing is said
+  BOOST_TEST(output_of(strip + words_of("--format csv")) == plain);  // steel by default
 
   const json metric = json_of(words_of("contact --radius1 10 --load 100"));
   const json inches = json_of(words_of("contact --units in-lbf --radius1 10mm --load 100N/mm"));
@@ -114,20 +114,19 @@ BOOST_AUTO_TEST_CASE(ranges_have_both_ends_and_decimal_steps) {
   BOOST_TEST(x("0,5mm,1:2:1cm") == (Words{"0", "5", "10", "20"}), boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(points_come_from_a_list_a_file_or_standard_input_alike) {
+BOOST_AUTO_TEST_CASE(points_may_come_from_a_list_a_file_or_standard_input) {
   const TemporaryFolder folder;
   const std::string file = folder.write("my points.txt", "# mm\n-0.5\n\n0\n 1.5\n").string();
   const std::string by_list = output_of(strip + words_of("--x -0.5,0,1.5 --format csv"));
 
   BOOST_TEST(output_of(strip + Words{"--x-file", file, "--format", "csv"}) == by_list);
-  const ShellResult piped =
-      run_shell(R"(seq -0.5 0.5 1.5 | "$1" displacement --shape uniform )"
-                "--peak-pressure 100 --half-width 1 --x-file - --format csv",
-                {HALFSPACE_PROGRAM});
+  const ShellResult piped = run_shell(R"(seq -0.5 0.5 1.5 | "$1" displacement --shape uniform )"
+                                      "--peak-pressure 100 --half-width 1 --x-file - --format csv",
+                                      {HALFSPACE_PROGRAM});
   BOOST_TEST(sys::lines_of(piped.output).size() == 6U, piped.output);
 }
 
-BOOST_AUTO_TEST_CASE(displacement_prints_the_papers_digits) {
+BOOST_AUTO_TEST_CASE(displacement_prints_the_digits_of_the_paper) {
   // Ruggiero (2001), Appendix 1, output of Tri_dist.m. The third was taken at x = 0.01 + 1e-7.
   const Words printed = {"1.6236048e-06", "1.5187874e-06", "1.3558976e-06", "1.2635610e-06",
                          "1.2043351e-06", "1.1596620e-06", "1.1236214e-06", "1.0933600e-06",
@@ -165,7 +164,7 @@ BOOST_AUTO_TEST_CASE(quadrature_and_closed_form_differ_by_less_than_the_printed_
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_file_a_formula_and_a_name_are_the_same_load) {
+BOOST_AUTO_TEST_CASE(a_file_a_formula_and_a_name_can_give_the_same_load) {
   const TemporaryFolder folder;
   const std::string file =
       folder.write("load.csv", "# MPa\nx,pressure\n-2,0\n0,50\n2,0\n").string();
@@ -270,7 +269,7 @@ BOOST_AUTO_TEST_CASE(block_prints_a_value_an_error_and_a_unit_for_each_measure) 
   BOOST_TEST(json_of(block + words_of("--sides roller")).at("left_out").empty());
   const json strip_load = json_of(block + words_of("--sides roller --shape uniform"));
   BOOST_TEST(strip_load.at("left_out").at(1).at("x") == 1);
-  // A softer block, and one that the sides do not hold, gives way more.
+  // A softer block, and one with free sides, is displaced more.
   const auto largest = [&](const char* more) {
     return json_of(block + words_of(more))
         .at("measures")
@@ -283,7 +282,7 @@ BOOST_AUTO_TEST_CASE(block_prints_a_value_an_error_and_a_unit_for_each_measure) 
   BOOST_TEST(largest("--sides roller") > largest("--sides clamped"));
 }
 
-BOOST_AUTO_TEST_CASE(locale_and_folder_change_nothing) {
+BOOST_AUTO_TEST_CASE(locale_and_folder_do_not_change_the_output) {
   const TemporaryFolder folder;
   const Words command = strip + words_of("--format csv");
 

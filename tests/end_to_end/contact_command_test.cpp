@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `contact` and `stress` print.
+// The output of `contact` and `stress`.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(every_method_and_element_finds_the_load_and_leaves_no_resid
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_million_nodes_find_the_peak_to_ten_digits_and_are_all_printed) {
+BOOST_AUTO_TEST_CASE(a_million_nodes_give_the_peak_to_ten_digits_and_are_all_printed) {
   const json result = json_of(roller + words_of("--nodes 1048576"));
 
   BOOST_TEST(relative_difference(of(result, "peak_pressure"), p0) < 1e-10);
@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE(a_profile_from_a_file_touches_where_it_is_highest) {
   BOOST_TEST(output_of(bumps).find("regions in contact") != std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(stresses_beneath_a_roller_are_those_of_mcewen) {
-  // The greatest in-plane shear, 0.300283 p0 at 0.786151 a (Johnson, section 4.2).
+BOOST_AUTO_TEST_CASE(stresses_beneath_a_roller_match_mcewen) {
+  // The greatest in-plane shear is 0.300283 p0 at 0.786151 a (Johnson, section 4.2).
   const Words deepest = {"stress", "--radius1", "10",
                          "--load", "100",       "--nodes",
                          "2000",   "--z",       std::to_string(0.786151 * a)};
@@ -139,13 +139,14 @@ BOOST_AUTO_TEST_CASE(stresses_beneath_a_roller_are_those_of_mcewen) {
   BOOST_TEST(relative_difference(of(point, "max_shear"), 0.300283 * p0) < 1e-5);
   BOOST_TEST(relative_difference(of(point, "max_shear"), of(point, "mcewen_max_shear")) < 1e-6);
   BOOST_TEST(point.at("units").at("stress") == "MPa");
-  // On the surface σ_xx = σ_zz = −p0 and σ_yy = −2νp0: no shear in the plane, but across it.
+  // On the surface σ_xx = σ_zz = −p0 and σ_yy = −2νp0: no in-plane shear, but shear across the
+  // plane.
   BOOST_TEST(std::abs(of(surface, "max_shear")) < 1e-9 * p0);
   BOOST_TEST(relative_difference(of(surface, "largest_shear"), 0.2 * p0) < 2e-5);
   BOOST_TEST(relative_difference(of(surface, "von_mises"), 0.4 * p0) < 2e-5);
 }
 
-BOOST_AUTO_TEST_CASE(stresses_beneath_a_strip_are_those_of_johnson) {
+BOOST_AUTO_TEST_CASE(stresses_beneath_a_strip_match_johnson) {
   // Johnson (2.30) on the axis at z = a: α = π/4, σ_zz, σ_xx = −(2p/π)(α ± sin α cos α).
   const Words strip = words_of("stress --shape uniform --peak-pressure 100 --half-width 2 --z 2");
   const json axis = json_of(strip).at(0);
@@ -158,7 +159,7 @@ BOOST_AUTO_TEST_CASE(stresses_beneath_a_strip_are_those_of_johnson) {
       words_of("stress --shape uniform --peak-pressure 100 --half-width 2 --x 2 --z 0");
   BOOST_TEST(json_of(edge).at(0).at("stress_zz").is_null());
   BOOST_TEST(output_of(edge).find("no limit") != std::string::npos);
-  // A linear fall to all of its peak is the strip, and a formula is sampled finely enough.
+  // A linear fall with fraction 1 is the strip, and a formula is sampled finely enough.
   const json linear =
       json_of(words_of("stress --shape linear:1 --peak-pressure 100 --half-width 2 --z 2"));
   BOOST_TEST(relative_difference(of(linear.at(0), "stress_zz"), of(axis, "stress_zz")) < 1e-14);
@@ -170,7 +171,7 @@ BOOST_AUTO_TEST_CASE(stresses_beneath_a_strip_are_those_of_johnson) {
              1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(poissons_ratio_of_the_body_that_is_named_counts) {
+BOOST_AUTO_TEST_CASE(stresses_use_poissons_ratio_of_the_chosen_body) {
   const auto mises = [](const char* body) {
     return of(json_of(words_of("stress --radius1 10 --load 100 --z 0 --young 1e5 --poisson1 0 "
                                "--poisson2 0.4 --body") +
@@ -182,13 +183,13 @@ BOOST_AUTO_TEST_CASE(poissons_ratio_of_the_body_that_is_named_counts) {
   BOOST_TEST(relative_difference(mises("2"), 0.2 * mises("1")) < 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(a_contact_that_is_not_small_beside_the_bodies_is_warned_of_and_computed) {
+BOOST_AUTO_TEST_CASE(a_contact_that_is_large_for_half_spaces_is_computed_with_a_warning) {
   const std::string warning = "halfspace: warning: the contact's half-width is 0.";
   const auto errors = [](const char* more) {
     return run_program(words_of("contact --load 12000") + words_of(more)).errors;
   };
 
-  // a = 0.105 mm·√(120·R/10) by the relative curvature 1/R; the least radius is that of one body.
+  // a = 0.105 mm·√(120·R/10) with the relative curvature 1/R; the least radius is that of one body.
   BOOST_TEST(errors("--radius1 10").find(warning) == 0U);
   BOOST_TEST(errors("--radius1 200") == "");
   BOOST_TEST(errors("--radius1 10 --radius2 1e6").find(warning) == 0U);

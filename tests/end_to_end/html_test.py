@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""html_test.py SOURCE SETTINGS: the report, which is built, becomes a page that lacks no number and that everyone can read."""
+"""html_test.py SOURCE SETTINGS: the built report becomes an accessible page with all of its numbers."""
 
 import subprocess
 import sys

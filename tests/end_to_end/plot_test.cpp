@@ -36,7 +36,7 @@ const std::vector<Drawing> drawings = {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_terminal_shows_curves_labels_and_units_below_the_answer) {
+BOOST_AUTO_TEST_CASE(the_terminal_shows_curves_labels_and_units_below_the_table) {
   for (const auto& [command, texts] : drawings) {
     const std::string output = output_of(words_of(command) + words_of("--plot -"));
     BOOST_TEST_CONTEXT(command) {
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(the_terminal_shows_curves_labels_and_units_below_the_answer
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_command_draws_every_kind_of_file_and_prints_what_it_would_without) {
+BOOST_AUTO_TEST_CASE(every_command_draws_every_kind_of_file_and_prints_the_same_table) {
   const TemporaryFolder folder;
   for (const auto& [command, texts] : drawings) {
     for (const auto& [ending, beginning] : std::map<std::string, std::string>{
@@ -63,11 +63,11 @@ BOOST_AUTO_TEST_CASE(every_command_draws_every_kind_of_file_and_prints_what_it_w
       }
     }
   }
-  // Nothing half-written is left beside them.
+  // No incomplete file remains.
   BOOST_TEST(std::distance(std::filesystem::recursive_directory_iterator(folder.path()), {}) == 3);
 }
 
-BOOST_AUTO_TEST_CASE(without_gnuplot_the_result_is_printed_and_the_picture_missed) {
+BOOST_AUTO_TEST_CASE(without_gnuplot_the_result_is_printed_and_the_plot_is_an_error) {
   const Outcome outcome = run_program(words_of("contact --radius1 10 --load 100 --plot -"),
                                       {.environment = {{"PATH", "/nowhere"}}});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `point-contact` prints.
+// The output of `point-contact`.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -72,13 +72,13 @@ BOOST_AUTO_TEST_CASE(an_ellipse_of_one_to_five_has_the_axes_of_its_closed_form) 
     BOOST_TEST(relative_difference(half_width(result, i), half_width(hertz, i)) < 3e-3);
   }
   BOOST_TEST(relative_difference(of(result, "peak_pressure"), of(hertz, "peak_pressure")) < 1e-3);
-  // Crossed cylinders of one radius touch as a sphere on a plane.
+  // Crossed cylinders of equal radius touch like a sphere on a plane.
   const json crossed = json_of(words_of(
       "point-contact --radius1x 10 --radius1y plane --radius2x plane --radius2y 10 --load 100"));
   BOOST_TEST(relative_difference(half_width(crossed.at("hertz"), 1), a) < 1e-13);
 }
 
-BOOST_AUTO_TEST_CASE(the_field_is_the_csv_and_carries_the_load) {
+BOOST_AUTO_TEST_CASE(the_field_equals_the_csv_and_carries_the_load) {
   const TemporaryFolder folder;
   const std::string field = (folder.path() / "field.csv").string();
   const Words contact = ball + words_of("--nodes 40 --domain 0.5");
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_measured_surface_touches_in_several_regions) {
   BOOST_TEST(relative_difference(of(by_gaps, "peak_pressure"), of(result, "peak_pressure")) < 1e-3);
 }
 
-BOOST_AUTO_TEST_CASE(a_load_beyond_half_spaces_is_warned_of_and_computed) {
+BOOST_AUTO_TEST_CASE(a_load_too_large_for_half_spaces_is_computed_with_a_warning) {
   const Outcome heavy = run_program(words_of("point-contact --radius1 10 --load 1e6 --nodes 64"));
 
   BOOST_TEST(heavy.status == 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Starts the built program as a shell would, and reads what it answers.
+// Runs the built program as a shell would, and reads its output.
 #pragma once
 
 #include <boost/test/unit_test.hpp>
@@ -37,7 +37,7 @@ inline Words operator+(Words words, const Words& more) {
   return words;
 }
 
-/// What surrounds a run of the program.
+/// The environment of a run of the program.
 struct Surroundings {
   std::map<std::string, std::string> environment = {};
   std::filesystem::path folder = ".";
@@ -59,7 +59,7 @@ inline Outcome run_program(const Words& words, const Surroundings& surroundings 
   return {result.exit_status, sys::read_file(output), sys::read_file(errors)};
 }
 
-/// The output of a run that must succeed without a word on standard error.
+/// The output of a run that must succeed with nothing on standard error.
 inline std::string output_of(const Words& words, const Surroundings& surroundings = {}) {
   const Outcome outcome = run_program(words, surroundings);
   BOOST_TEST(outcome.status == 0);
@@ -71,7 +71,7 @@ inline json json_of(const Words& command) {
   return json::parse(output_of(command + Words{"--format", "json"}));
 }
 
-/// The columns of a CSV under their headings, as texts.
+/// The columns of a CSV by heading, as texts.
 using Columns = std::map<std::string, std::vector<std::string>>;
 
 inline Columns csv_of(const Words& command) {
@@ -94,7 +94,7 @@ inline double relative_difference(double a, double b) {
   return std::abs(a / b - 1);
 }
 
-/// The run ends with 2, nothing on standard output, and one line of errors that holds all `parts`.
+/// The run exits with 2, prints nothing on standard output and one line of errors with all `parts`.
 inline void check_refused(const Words& words, const Words& parts) {
   const Outcome outcome = run_program(words);
   BOOST_TEST_CONTEXT(outcome.errors) {
@@ -108,7 +108,7 @@ inline void check_refused(const Words& words, const Words& parts) {
   }
 }
 
-/// A text with the first of what it has there replaced.
+/// A text with the first occurrence of a part replaced.
 inline std::string with(std::string text, const std::string& before, const std::string& after) {
   const auto at = text.find(before);
   BOOST_TEST_REQUIRE((at != std::string::npos), before << " is not in the text");

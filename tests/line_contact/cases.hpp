@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contacts that the tests of this room solve.
+// The contacts that these tests solve.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ inline constexpr double modulus = 913.7;
 inline constexpr double load = 3.461;
 inline constexpr double curvature = 0.571;
 
-// E* of two alike bodies of E = 2(1 − 0.09)E*, one of them flat.
+// E* of two bodies with the same E = 2(1 − 0.09)E*, one of them flat.
 inline const line_contact::CylinderPair cylinders(elasticity::Material(2 * 0.91 * modulus, 0.3),
                                                   line_contact::Radius::of_cylinder("radius1",
                                                                                     1 / curvature),
@@ -28,7 +28,7 @@ inline const line_contact::CylinderPair cylinders(elasticity::Material(2 * 0.91 
                                                   line_contact::Radius::of_plane());
 inline const line_contact::Hertz hertz(cylinders, load);
 
-// A parabola with waves on it, its lowest point aside, known at 120 points from −0.4 to 0.5:
+// A wavy parabola, its lowest point off the centre, tabulated at 120 points from −0.4 to 0.5:
 // contact in several regions.
 inline Profile wavy_profile(double above = 0) {
   std::vector<double> x, gap;

@@ -79,13 +79,13 @@ BOOST_AUTO_TEST_CASE(the_papers_cylinders_have_their_half_width_and_peak) {
   BOOST_TEST(std::abs(contact.peak_pressure() - 132248) < 0.5);
 }
 
-BOOST_AUTO_TEST_CASE(the_pressure_carries_the_load_and_is_zero_from_the_edge_on) {
+BOOST_AUTO_TEST_CASE(the_pressure_carries_the_load_and_is_zero_beyond_the_edge) {
   BOOST_TEST(relative_difference(numerics::KernelIntegrals(Bodies::pressure().normal).total().value,
                                  3.5) < 1e-10);
   BOOST_TEST(hertz.pressure(0) == p0);
   BOOST_TEST(hertz.pressure(a) == 0);
   BOOST_TEST(hertz.pressure(-2 * a) == 0);
-  // At the distance t from the edge it is p₀ √(2t/a), with all digits of t
+  // At the distance t from the edge the pressure is p₀ √(2t/a), with all digits of t
   const double inside = std::nextafter(a, 0);
   BOOST_TEST(relative_difference(hertz.pressure(-inside), p0 * std::sqrt(2 * (a - inside) / a)) <
              1e-14);
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(the_pressure_closes_the_gap_by_equation_1a_and_opens_it_by_
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_approach_is_the_displacement_of_both_bodies_in_the_middle) {
+BOOST_AUTO_TEST_CASE(the_approach_is_the_sum_of_both_displacements_in_the_middle) {
   // Eq. (1a) at x = 0, where h = 0.
   for (const double share : {1.0001, 1.7, -12.0, 2385.0}) {
     BOOST_TEST(relative_difference(hertz.approach(share * a), Bodies(share * a).displacement(0)) <
@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(the_approach_is_the_displacement_of_both_bodies_in_the_midd
   }
 }
 
-BOOST_AUTO_TEST_CASE(mcewens_stresses_are_right_to_2e_15_from_the_surface_to_1e6_half_widths) {
-  // Johnson (4.49a–c) as it stands, in 100 digits: far away near the surface it loses forty.
+BOOST_AUTO_TEST_CASE(mcewens_stresses_are_accurate_to_2e_15_from_the_surface_to_1e6_half_widths) {
+  // Johnson (4.49a–c) unchanged, in 100 digits: far away near the surface it loses forty.
   RandomInputs random(61);
   for (int i = 0; i < 4000; ++i) {
     const double from = i % 3 == 0 ? 0 : a * random.sign();
@@ -144,8 +144,8 @@ BOOST_AUTO_TEST_CASE(mcewens_stresses_are_right_to_2e_15_from_the_surface_to_1e6
   }
 }
 
-BOOST_AUTO_TEST_CASE(mcewens_stresses_are_the_quadrature_of_line_forces_over_the_pressure) {
-  // Johnson (2.23) with s = a sin φ, which takes the root out of the pressure.
+BOOST_AUTO_TEST_CASE(mcewens_stresses_agree_with_the_quadrature_of_line_forces) {
+  // Johnson (2.23) with s = a sin φ, which removes the root from the pressure.
   numerics::Quadrature quadrature;
   for (const auto& [x, z] : {std::pair{0.3, 0.4}, {-0.8, 0.15}, {1.0, 0.385}, {0.0, 5.0}}) {
     const auto integral = [&, x = x, z = z](int power) {
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(mcewens_stresses_are_the_quadrature_of_line_forces_over_the
   }
 }
 
-BOOST_AUTO_TEST_CASE(mcewens_stresses_on_the_surface_are_the_pressure_and_at_the_edges_zero) {
+BOOST_AUTO_TEST_CASE(mcewens_stresses_are_the_pressure_on_the_surface_and_zero_at_the_edges) {
   for (const double share : {-0.97, 0.0, 0.123, 0.999999, 1.0, 1.3, -40.0}) {
     const Stress surface = mcewen.stress(share * a, 0);
     const double rounding = 1e-13 * p0;  // of 1 − x²/a² in the pressure, beside the edge

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// References are the formulas as they stand, in a hundred digits: of 1e9² ln 1e9
-// some eighty are left.
+// References are the unchanged formulas in a hundred digits: of 1e9² ln 1e9
+// about eighty remain.
 #include "line_contact/element.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr Element elements[] = {Element::point, Element::uniform, Element::triangular};
 
-// T(k) without a self value of the point.
+// T(k), except for the point's own value T(0).
 Precise precise_coefficient(Element element, const Precise& k) {
   const Precise half = Precise(1) / 2;
   switch (element) {
@@ -60,7 +60,7 @@ double absolute_error(double value, const Precise& exact) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(coefficients_are_right_to_1e_14_of_themselves_and_1e_15_near) {
+BOOST_AUTO_TEST_CASE(coefficients_are_accurate_to_1e_14_relative_and_1e_15_absolute_near) {
   RandomInputs random(17);
   std::vector<double> places;
   for (const Index k : whole_numbers()) places.push_back(static_cast<double>(k));
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(coefficients_are_right_to_1e_14_of_themselves_and_1e_15_nea
   }
 }
 
-BOOST_AUTO_TEST_CASE(differences_are_right_to_1e_14_of_themselves) {
+BOOST_AUTO_TEST_CASE(differences_are_accurate_to_1e_14_relative) {
   for (const Element element : elements) {
     for (const Index k : whole_numbers()) {
       BOOST_TEST_CONTEXT(name_of(element) << ", k = " << k) {
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(differences_are_right_to_1e_14_of_themselves) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_triangle_is_that_of_equation_3) {
+BOOST_AUTO_TEST_CASE(the_triangle_satisfies_equation_3) {
   RandomInputs random(3);
   constexpr double a = 0.02385;
   for (int i = 0; i < 100; ++i) {
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(the_triangle_is_that_of_equation_3) {
   BOOST_TEST(influence_coefficient(Element::triangular, 0) == -1.5);
 }
 
-BOOST_AUTO_TEST_CASE(all_elements_are_a_force_from_far_away) {
+BOOST_AUTO_TEST_CASE(all_elements_act_as_a_force_far_away) {
   // T(k) − ln k = −⟨s²⟩/(2k²) + …, ⟨s²⟩ = 1/6, 1/12 and 0; the next term is less than 1/k⁴.
   const double k = 238.5;
   const auto beyond = [k](Element element) {
@@ -133,7 +133,7 @@ double smooth_potential() {
   return static_cast<double>(moment(0) - 4 * moment(2) + 6 * moment(4) - 4 * moment(6) + moment(8));
 }
 
-// The same by forces at a distance c, one of them at the point.
+// The same by forces a distance c apart, one of them at the point.
 double row_error(double c) {
   double sum = 0;
   double load = 0;
@@ -148,7 +148,7 @@ double row_error(double c) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_row_of_forces_stands_for_a_smooth_pressure_to_order_three) {
+BOOST_AUTO_TEST_CASE(a_row_of_forces_replaces_a_smooth_pressure_to_order_three) {
   // Sidi & Israeli (1988), theorem 4: the sum exceeds the integral by −ζ′(−2) p″ c³ + O(c⁵),
   // ζ′(−2) = −0.030448457058393270780 (N[Zeta'[-2], 20]).
   constexpr double zeta = -0.030448457058393270780;

@@ -37,7 +37,7 @@ double difference(Element element, Index k) {
   return k >= 0 ? influence_difference(element, k) : -influence_difference(element, -k - 1);
 }
 
-// Σ_j coefficient(i−j) φ_j, the values standing from `first` on, with the digits of long double.
+// Σ_j coefficient(i−j) φ_j for values that begin at `first`, in long double.
 template <class Coefficient>
 VectorXd dense_product(const Coefficient& coefficient, const VectorXd& phi, Index first,
                        Index n_rows) {
@@ -63,7 +63,7 @@ VectorXd dense_rises(Element element, const VectorXd& phi, Index first, Index n_
   return dense_product([=](Index k) { return difference(element, k); }, phi, first, n_nodes - 1);
 }
 
-// A smooth load of n elements, as they come of a contact.
+// A smooth load of n elements, like that of a contact.
 VectorXd ellipse(Index n) {
   return VectorXd::NullaryExpr(n, [n](Index i) {
     const double t = (2 * static_cast<double>(i) + 1) / static_cast<double>(n) - 1;
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(potentials_and_differences_are_the_dense_products) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(differences_keep_the_digits_that_differences_of_potentials_lose) {
+BOOST_AUTO_TEST_CASE(differences_keep_the_digits_that_subtracting_potentials_loses) {
   constexpr Index n = 4096;
   const VectorXd phi = ellipse(n);
   for (const Element element : elements) {
@@ -154,8 +154,8 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_symmetric_and_positive_semi_definite)
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_preconditioner_is_an_inverse_but_for_a_few_directions_at_any_n) {
-  // The eigenvalues of −PT on loads without a resultant; those far from 1 belong to the ends.
+BOOST_AUTO_TEST_CASE(the_preconditioner_is_an_inverse_except_in_a_few_directions_at_any_n) {
+  // The eigenvalues of −PT on loads without a resultant; those far from 1 come from the ends.
   for (const Element element : elements) {
     for (const Index n : {32, 64, 128}) {
       const MatrixXd inverse = preconditioner(element, n);
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_an_inverse_but_for_a_few_directions_a
       const auto is_far_from_1 = [](double value) { return std::abs(value - 1) > 0.1; };
 
       BOOST_TEST_CONTEXT(name_of(element) << ", n = " << n) {
-        BOOST_TEST(eigenvalues[1] > 0.4);  // eigenvalues[0] = 0 is that of the mean
+        BOOST_TEST(eigenvalues[1] > 0.4);  // eigenvalues[0] = 0 belongs to the mean
         BOOST_TEST(eigenvalues[n - 1] < 3.5);
         BOOST_TEST(std::count_if(eigenvalues.begin() + 1, eigenvalues.end(), is_far_from_1) <= 9);
       }

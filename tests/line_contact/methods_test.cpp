@@ -27,7 +27,7 @@ namespace {
 struct Method {
   std::string name;
   std::function<Solution(const Problem&, double line_load)> solve;
-  double agrees_to;  // with matrix inversion, of the peak
+  double agrees_to;  // agreement with matrix inversion, relative to the peak
 };
 const std::vector<Method> methods{
     {"matrix inversion", solve_by_matrix_inversion, 0},
@@ -38,8 +38,8 @@ double difference(const VectorXd& a, const VectorXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.maxCoeff();
 }
 
-// The slope of ln(error) over ln(spacing), fitted: single errors scatter with where the edge falls
-// between nodes.
+// The fitted slope of ln(error) over ln(spacing): single errors scatter with the position of the
+// edge between nodes.
 class Fit {
  public:
   void add(double spacing, double error) {
@@ -53,7 +53,7 @@ class Fit {
   double n_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0;
 };
 
-// Root of the mean square over |x| < a/2, relative to the peak.
+// Root mean square over |x| < a/2, relative to the peak.
 double error_inside(const Solution& s) {
   double squares = 0;
   double n_inside = 0;
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(other_units_of_length_and_stress_change_nothing) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(any_small_number_of_nodes_is_solved_as_by_matrix_inversion) {
+BOOST_AUTO_TEST_CASE(any_small_number_of_nodes_agrees_with_matrix_inversion) {
   // 128 nodes are the coarsest of the nested grids, 129 have a coarser one of 65.
   for (const Index n_nodes : {13, 31, 64, 127, 128, 129, 130, 257, 258, 385}) {
     const Problem problem = cylinders_on(n_nodes);
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(pressures_converge_to_hertz_inside_with_order_two) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(sixteen_thousand_nodes_give_hertz_to_1e_8) {
+BOOST_AUTO_TEST_CASE(sixteen_thousand_nodes_match_hertz_to_1e_8) {
   const Solution s = solve_by_fft(cylinders_on(1 << 14), load);
 
   BOOST_TEST(error_inside(s) < 1e-8);
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(sixteen_thousand_nodes_give_hertz_to_1e_8) {
   BOOST_TEST(relative_difference(s.half_width(), hertz.half_width()) < 1e-8);
 }
 
-BOOST_AUTO_TEST_CASE(pressures_are_right_to_the_tolerance) {
+BOOST_AUTO_TEST_CASE(pressures_are_accurate_to_the_tolerance) {
   for (const Case& c : cases) {
     const Problem problem = problem_of(c, 2000);
     const Solution best = solve_by_fft(problem, load, line_contact::min_tolerance);
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(pressures_are_right_to_the_tolerance) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(products_on_the_finest_grid_do_not_grow_with_its_nodes) {
+BOOST_AUTO_TEST_CASE(products_on_the_finest_grid_do_not_increase_with_its_nodes) {
   for (int power = 10; power <= 16; power += 2) {
     const Solution s = solve_by_fft(cylinders_on(1 << power), load);
     BOOST_TEST(s.work.products <= 20);

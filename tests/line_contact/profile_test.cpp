@@ -13,17 +13,17 @@ BOOST_AUTO_TEST_SUITE(profile_test)
 using line_contact::Profile;
 using tolerance::relative_difference;
 
-BOOST_AUTO_TEST_CASE(a_parabola_rises_to_rounding_of_the_rise_itself) {
+BOOST_AUTO_TEST_CASE(the_rise_of_a_parabola_is_accurate_to_its_own_rounding) {
   const Profile parabola = Profile::parabola(2.385);
   BOOST_TEST(relative_difference(parabola.gap(-0.5), 2.385 / 8) < tolerance::rounding);
-  // κ/2 (to − from)(to + from), where a difference of gaps has seven digits
+  // κ/2 (to − from)(to + from); a difference of gaps would have seven digits
   BOOST_TEST(relative_difference(parabola.rise(1, 1 + 0x1p-30),
                                  2.385 / 2 * 0x1p-30 * (2 + 0x1p-30)) < tolerance::rounding);
   BOOST_TEST(parabola.rise(-0.3, 0.3) == 0);
   BOOST_TEST(parabola.begin() == -std::numeric_limits<double>::infinity());
 }
 
-BOOST_AUTO_TEST_CASE(a_measured_profile_goes_through_its_points_and_does_not_overshoot) {
+BOOST_AUTO_TEST_CASE(a_measured_profile_passes_through_its_points_without_overshoot) {
   const std::vector<double> x{-2, -1, 0.5, 0.75, 3};
   const std::vector<double> gap{4, 1, 0, 0, 2.385};
   const Profile profile = Profile::tabulated(x, gap);
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(a_measured_profile_goes_through_its_points_and_does_not_ove
   BOOST_TEST(profile.end() == 3);
 }
 
-BOOST_AUTO_TEST_CASE(a_finely_measured_parabola_is_one) {
+BOOST_AUTO_TEST_CASE(a_finely_measured_parabola_has_the_gap_of_a_parabola) {
   std::vector<double> x, gap;
   for (int i = -50; i <= 50; ++i) {
     x.push_back(0.02 * i);

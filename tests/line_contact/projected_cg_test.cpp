@@ -28,7 +28,8 @@ namespace {
 
 constexpr Element elements[] = {Element::point, Element::uniform, Element::triangular};
 
-// Nodes on a parabola, some of them held in contact: a stretch, a gap in it, and a node apart.
+// Nodes on a parabola, some of them fixed in contact: a stretch with a gap in it, and a single
+// node.
 struct Held {
   explicit Held(Index n)
       : gap(VectorXd::NullaryExpr(n, [n](Index i) { return height(n, i); })),
@@ -89,7 +90,7 @@ Dense solve_densely(Element element, const Held& held, double total) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(held_contact_is_solved_as_by_elimination) {
+BOOST_AUTO_TEST_CASE(a_fixed_contact_is_solved_as_by_elimination) {
   const double total = 2.385;
   for (const Element element : elements) {
     for (const Index n : {12, 64, 201}) {
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(held_contact_is_solved_as_by_elimination) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_error_is_what_elimination_says_within_a_factor_of_five) {
+BOOST_AUTO_TEST_CASE(the_estimated_error_is_within_a_factor_of_five_of_the_true_one) {
   const Held held(150);
   const Dense dense = solve_densely(Element::triangular, held, 1);
   InfluenceOperator influence(Element::triangular, 150);
@@ -126,7 +127,7 @@ BOOST_AUTO_TEST_CASE(the_error_is_what_elimination_says_within_a_factor_of_five)
   }
 }
 
-BOOST_AUTO_TEST_CASE(steps_do_not_grow_with_the_number_of_nodes) {
+BOOST_AUTO_TEST_CASE(steps_do_not_increase_with_the_number_of_nodes) {
   for (const Index n : {128, 1024, 8192}) {
     ContactMask in_contact = ContactMask::Constant(n, false);
     in_contact.segment(n / 5, n / 2).setConstant(true);

@@ -20,7 +20,7 @@ using line_contact::solve_by_fft;
 using line_contact::solve_by_matrix_inversion;
 using line_contact::solve_by_variational_method;
 
-BOOST_AUTO_TEST_CASE(bodies_and_grids_that_make_no_sense_are_refused_by_name) {
+BOOST_AUTO_TEST_CASE(invalid_bodies_and_grids_are_rejected_by_name) {
   const double infinity = std::numeric_limits<double>::infinity();
   const elasticity::Material steel(30e6, 0.3);
   const auto of_radius = [](double radius) { return Radius::of_cylinder("radius2", radius); };
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(bodies_and_grids_that_make_no_sense_are_refused_by_name) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(problems_that_no_method_can_solve_are_refused_by_every_method) {
+BOOST_AUTO_TEST_CASE(unsolvable_problems_are_rejected_by_every_method) {
   const Problem paper = cylinders_on(91);
   const auto changed = [&](const std::function<void(Problem&)>& change) {
     Problem problem = paper;
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(problems_that_no_method_can_solve_are_refused_by_every_meth
     check_refused({
         {"load = 0", [&] { solve(paper, 0); }},
         {"load = nan", [&] { solve(paper, NAN); }},
-        {"load = 1e+120: must be less", [&] { solve(paper, 1e120); }},
+        {"load = 1e+120: must be less than ", [&] { solve(paper, 1e120); }},
         {"contact_modulus = 0", [&] { solve(soft, load); }},
         {"within the profile's points, from -0.4 to 0.5", [&] { solve(beyond, load); }},
         {"gap at x = ", [&] { solve(huge, load); }},
@@ -116,17 +116,17 @@ BOOST_AUTO_TEST_CASE(problems_that_no_method_can_solve_are_refused_by_every_meth
   });
 }
 
-BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_ends_with_the_number_that_would_do) {
+BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_an_error_with_a_sufficient_number) {
   // From one node to seven, on grids with and without a node at the centre, nested and not.
   for (const Eigen::Index n_nodes : {91, 511, 513, 1024, 4097, 100'000}) {
-    for (const double part : {1e-3, 0.1, 1.0, 1.9, 3.0, 6.0}) {  // of the spacing, the half-width
+    for (const double part : {1e-3, 0.1, 1.0, 1.9, 3.0, 6.0}) {  // the half-width in spacings
       const double spacing = cases[0].width / static_cast<double>(n_nodes);
       const double tiny = load * std::pow(part * spacing / hertz.half_width(), 2);
       const auto solve = [&] { solve_by_fft(cylinders_on(n_nodes), tiny); };
       if (part < 3.5) {
-        check_refused({{"must be 8 or more: take at least", solve}});
+        check_refused({{"must be 8 or more: use at least", solve}});
         if (n_nodes < 1000) {
-          check_refused({{"must be 8 or more: take at least",
+          check_refused({{"must be 8 or more: use at least",
                           [&] { solve_by_matrix_inversion(cylinders_on(n_nodes), tiny); }}});
         }
       } else {
@@ -136,11 +136,11 @@ BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_ends_with_the_number_that_would_do) 
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_nodes_that_the_message_names_do) {
+BOOST_AUTO_TEST_CASE(the_number_of_nodes_in_the_message_suffices) {
   const double tiny = load * std::pow(0.005, 2);
   const std::string message =
       message_of<sys::InvalidQuantity>([&] { solve_by_fft(cylinders_on(400), tiny); });
-  const std::string words = "take at least ";
+  const std::string words = "use at least ";
   const auto needed =
       static_cast<Eigen::Index>(std::stod(message.substr(message.find(words) + words.size())));
   BOOST_TEST_CONTEXT(message) {

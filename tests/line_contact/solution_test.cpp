@@ -54,10 +54,10 @@ BOOST_AUTO_TEST_CASE(the_half_width_is_twice_the_root_of_the_second_moment) {
   BOOST_TEST(with_pressure(Element::point, pressure).half_width_by_count() == c);
 }
 
-BOOST_AUTO_TEST_CASE(regions_end_where_the_square_of_the_pressure_does) {
+BOOST_AUTO_TEST_CASE(regions_end_where_the_square_of_the_pressure_extrapolates_to_zero) {
   VectorXd p = VectorXd::Zero(12);
-  // p² = 1, 2, 3 falls by 1 a node, and so ends a node beyond the first; one node alone ends half a
-  // node beyond
+  // p² = 1, 2, 3 falls by 1 per node and so ends one node beyond the first; a single node ends half
+  // a node beyond
   p.segment(2, 4) << 1, std::sqrt(2), std::sqrt(3), std::sqrt(1.5);
   p[9] = 0.5;
   const auto regions = with_pressure(Element::triangular, p).regions();
@@ -97,14 +97,14 @@ BOOST_AUTO_TEST_CASE(the_approach_at_a_datum_is_that_of_hertz) {
       BOOST_TEST(relative_difference(s.approach(datum * hertz.half_width()), exact) < 1e-4);
     }
   }
-  // Bodies that are farther apart at first have to approach by as much more.
+  // Bodies that are farther apart at first approach by as much more.
   Problem wavy = problem_of(cases[1], 300);
   const double before = solve_by_fft(wavy, load).approach(3);
   wavy.profile = wavy_profile(0.02385);
   BOOST_TEST(std::abs(solve_by_fft(wavy, load).approach(3) - before - 0.02385) < 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(the_slope_between_nodes_is_that_of_equation_2) {
+BOOST_AUTO_TEST_CASE(the_slope_between_nodes_satisfies_equation_2) {
   const Solution s = solve_by_matrix_inversion(cylinders_on(61), load);
   // The pressure as a load, linear between nodes; both bodies as one with E* for E and ν = 0.
   std::vector<numerics::Piece> pieces;
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(the_slope_between_nodes_is_that_of_equation_2) {
 }
 
 BOOST_AUTO_TEST_CASE(beneath_the_contact_stresses_approach_mcewens_with_order_3_2) {
-  // The root at the edges, between evenly spaced nodes, costs half an order.
+  // The square root at the edges, between evenly spaced nodes, costs half an order.
   const line_contact::McEwen mcewen(hertz);
   const double a = hertz.half_width();
   const auto error = [&](Index n_nodes) {
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(beneath_the_contact_stresses_approach_mcewens_with_order_3_
   BOOST_TEST(error(641) < error(81) / 16);
 }
 
-BOOST_AUTO_TEST_CASE(a_warning_tells_the_size_of_the_error_of_a_coarse_contact) {
+BOOST_AUTO_TEST_CASE(a_warning_states_the_error_of_a_coarse_contact) {
   const double a = hertz.half_width();
   for (const Element element : {Element::triangular, Element::uniform}) {
     for (double across = 9; across < 30; across += 0.37) {

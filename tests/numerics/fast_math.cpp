@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiled with -ffast-math, which lets the compiler compute in another order: bounds stay bounds.
+// Compiled with -ffast-math, which allows a different order of evaluation: bounds must remain
+// bounds.
 #include <cmath>
 #include <cstdio>
 
 #include "numerics/estimate.hpp"
 
 int main(int argc, char** /*argv*/) {
-  const double tenth = argc * 0.1;  // not known to the compiler
+  const double tenth = argc * 0.1;  // unknown to the compiler
   numerics::Estimate sum;
   for (int i = 0; i < 1000; ++i) sum = sum + numerics::Estimate{tenth, 0};
   numerics::Estimate product{1, 0};

@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(known_uncertainties_give_the_covariance_whatever_the_residu
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_standard_uncertainty_is_the_scatter_of_fits_to_noise) {
+BOOST_AUTO_TEST_CASE(the_standard_uncertainty_matches_the_scatter_of_fits_to_noise) {
   RandomInputs random(5);
   const MatrixXd matrix = line(12);
   double squares = 0, claimed = 0;
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_standard_uncertainty_is_the_scatter_of_fits_to_noise) {
   BOOST_TEST(relative_difference(claimed, squares) < 0.1);
 }
 
-BOOST_AUTO_TEST_CASE(a_power_law_is_found_with_its_scatter) {
+BOOST_AUTO_TEST_CASE(a_power_law_is_recovered_with_its_scatter) {
   std::vector<double> n, errors;
   for (int k = 0; k < 8; ++k) {
     n.push_back(std::ldexp(10.0, k));
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_power_law_is_found_with_its_scatter) {
   BOOST_TEST(std::abs(fit_power(n, errors).order) < 1e-14);
 }
 
-BOOST_AUTO_TEST_CASE(what_cannot_be_fitted_is_refused) {
+BOOST_AUTO_TEST_CASE(invalid_fits_are_rejected) {
   MatrixXd dependent = line(4);
   dependent.col(1) = 3 * dependent.col(0);
   MatrixXd infinite = line(4);

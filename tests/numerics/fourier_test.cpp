@@ -49,7 +49,7 @@ Complex direct_sum(const std::vector<Number>& signal, std::size_t k, int sign) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(transforms_are_the_sums_they_stand_for) {
+BOOST_AUTO_TEST_CASE(transforms_equal_their_defining_sums) {
   for (const std::size_t n : sizes) {
     BOOST_TEST_CONTEXT("n = " << n) {
       const double rounding = tolerance::rounding * static_cast<double>(n);
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(transforms_are_the_sums_they_stand_for) {
 }
 
 BOOST_AUTO_TEST_CASE(threads_may_plan_transforms_at_the_same_time) {
-  // FFTW's planner crashes here if two threads enter it.
+  // Without the lock, two threads crash FFTW's planner here.
   std::vector<Complex> sums(4);
   const auto plan_many = [&](std::size_t thread) {
     for (std::size_t n = 4; n < 2000; n += 4) {
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(threads_may_plan_transforms_at_the_same_time) {
 }
 
 BOOST_AUTO_TEST_CASE(a_long_transform_keeps_its_digits) {
-  // One period of a cosine: all else is rounding.
+  // One period of a cosine: every other coefficient is rounding.
   constexpr std::size_t n = 1U << 17U;
   RealFourier fourier(n);
   for (std::size_t j = 0; j < n; ++j) {
@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(a_long_transform_keeps_its_digits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_size_is_the_least_convenient_one_that_is_enough) {
-  // 2^k m, k ≥ 2, m = 1, 3, 5, 7, 9 or 15, found by going up one by one.
+BOOST_AUTO_TEST_CASE(the_size_is_the_least_convenient_one_that_suffices) {
+  // 2^k m, k ≥ 2, m = 1, 3, 5, 7, 9 or 15, found by trying every number.
   const auto is_convenient = [](std::size_t n) {
     if (n % 4 != 0) return false;
     while (n % 2 == 0) n /= 2;

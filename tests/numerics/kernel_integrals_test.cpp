@@ -38,7 +38,7 @@ double x_log(double t) {
   return t == 0 ? 0 : t * std::log(std::abs(t));
 }
 
-// The difference is below the reported error, and that is small.
+// The difference is below the reported error, which is small.
 void check(const Estimate& estimate, double exact, double x) {
   BOOST_TEST_CONTEXT("x = " << x) {
     const double rounding_of_reference = 16 * tolerance::epsilon * (1 + std::abs(exact));
@@ -51,7 +51,7 @@ void check(const Estimate& estimate, double exact, double x) {
 
 namespace {
 
-// A closed form of an integral, and where it holds.
+// A closed form of an integral, and its domain.
 struct ClosedForm {
   const char* name;
   double (*density)(double);
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(integrals_agree_with_their_closed_forms) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(cauchy_integral_is_infinite_at_a_jump_however_small_and_says_so) {
+BOOST_AUTO_TEST_CASE(the_cauchy_integral_at_a_jump_however_small_is_an_error) {
   BOOST_CHECK_THROW(integrals_of(uniform).cauchy(1), InvalidQuantity);
   BOOST_CHECK_THROW(integrals_of(uniform).cauchy(-1), InvalidQuantity);
   BOOST_CHECK_THROW(integrals_of(uniform).cauchy(NAN), InvalidQuantity);
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(cauchy_integral_is_infinite_at_a_jump_however_small_and_say
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_kink_that_is_only_a_split_changes_nothing) {
+BOOST_AUTO_TEST_CASE(splitting_a_smooth_piece_changes_nothing) {
   const KernelIntegrals split(
       PiecewiseFunction({{-1, -0.2, parabolic}, {-0.2, 0.4, parabolic}, {0.4, 1, parabolic}}));
   for (const double x : {-0.2, 0.4, 0.4 + 1e-10, 0.4 - 1e-13, 0.1, 3.0}) {
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_kink_that_is_only_a_split_changes_nothing) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(another_unit_of_length_shifts_the_logarithmic_integral_by_the_total) {
+BOOST_AUTO_TEST_CASE(a_change_of_the_unit_of_length_shifts_the_logarithmic_integral_by_the_total) {
   const auto integrals = integrals_of(parabolic);
   const double total = 4.0 / 3;
   for (const double x : {0.0, 0.7, 1.0, 12.5}) {
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(integral_below_grows_from_zero_to_the_total) {
 }
 
 BOOST_AUTO_TEST_CASE(evaluations_stay_below_those_of_plain_quadpack) {
-  // scipy's quad, the same QUADPACK routines split at the kinks: 54 and 144 evaluations a point.
+  // scipy's quad, the same QUADPACK routines split at the kinks: 54 and 144 evaluations per point.
   int n_evaluations = 0;
   const auto rising = [&](double s) {
     ++n_evaluations;
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(evaluations_stay_below_those_of_plain_quadpack) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_error_at_a_root_of_the_density_holds_what_rounding_of_s_leaves) {
+BOOST_AUTO_TEST_CASE(the_error_at_a_square_root_of_the_density_includes_the_rounding_of_s) {
   // PV of sqrt(1−s²)/(x−s) is πx inside, here scaled: at the ends the quotient grows as t^{-1/2}.
   for (const double a : {1.0, 0.01, 0.75, 3.7e4}) {
     const auto root = [a](double s) { return std::sqrt(std::max(0.0, (a - s) * (a + s))) / a; };

@@ -49,23 +49,23 @@ BOOST_AUTO_TEST_CASE(its_scale_is_its_greatest_magnitude) {
   BOOST_TEST(f.scale() == 5);
 }
 
-BOOST_AUTO_TEST_CASE(pieces_that_overlap_are_refused) {
+BOOST_AUTO_TEST_CASE(overlapping_pieces_are_rejected) {
   BOOST_CHECK_THROW(PiecewiseFunction({{0, 2, one}, {1, 3, one}}), InvalidQuantity);
 }
 
-BOOST_AUTO_TEST_CASE(a_piece_of_no_width_is_refused) {
+BOOST_AUTO_TEST_CASE(a_piece_of_zero_width_is_rejected) {
   BOOST_CHECK_THROW(PiecewiseFunction({{1, 1, one}}), InvalidQuantity);
   BOOST_CHECK_THROW(PiecewiseFunction({{2, 1, one}}), InvalidQuantity);
 }
 
-BOOST_AUTO_TEST_CASE(ends_and_values_that_are_not_finite_are_refused) {
+BOOST_AUTO_TEST_CASE(ends_and_values_that_are_not_finite_are_rejected) {
   const double infinity = std::numeric_limits<double>::infinity();
 
   BOOST_CHECK_THROW(PiecewiseFunction({{0, infinity, one}}), InvalidQuantity);
   BOOST_CHECK_THROW(PiecewiseFunction({{0, 1, [](double s) { return 1 / s; }}}), InvalidQuantity);
 }
 
-BOOST_AUTO_TEST_CASE(polynomials_and_roots_are_resolved_as_they_are) {
+BOOST_AUTO_TEST_CASE(polynomials_and_square_roots_are_not_cut) {
   const auto quartic = [](double s) { return 1 - s * s * s * s; };
   const auto ellipse = [](double s) { return std::sqrt((1 - s) * (1 + s)); };
   for (const std::function<double(double)>& f :
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_narrow_feature_is_cut_out_and_a_kink_is_found) {
   BOOST_TEST(nearest < 1e-10);
 }
 
-BOOST_AUTO_TEST_CASE(a_wave_between_evenly_spaced_probes_is_seen) {
+BOOST_AUTO_TEST_CASE(a_wave_that_evenly_spaced_probes_would_miss_is_found) {
   const auto wave = [](double s) { return std::sin(2048 * std::numbers::pi * (s + 1)); };
   BOOST_TEST(resolved(PiecewiseFunction({{-1, 1, wave}})).pieces().size() >= 256U);
 }

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(adaptive_finds_a_narrow_peak) {
   check_within_error(quadrature.adaptive(peak, -1, 1, 1e-10, some_integral), 2 * std::atan(1e3));
 }
 
-BOOST_AUTO_TEST_CASE(principal_value_of_a_line_is_right_and_takes_25_evaluations) {
+BOOST_AUTO_TEST_CASE(the_principal_value_of_a_line_is_exact_and_takes_25_evaluations) {
   // PV∫₋₁² s/(s − 1/4) ds = 3 + ¼ ln(1.75/1.25)
   Quadrature quadrature;
   int n_evaluations = 0;
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(principal_value_of_a_line_is_right_and_takes_25_evaluations
   BOOST_TEST(n_evaluations == 25);
 }
 
-BOOST_AUTO_TEST_CASE(what_does_not_converge_is_an_error_that_names_the_integral_and_the_point) {
+BOOST_AUTO_TEST_CASE(a_divergent_integral_is_an_error_that_names_the_integral_and_the_point) {
   Quadrature quadrature(4);
   const auto wild = [](double s) { return std::sin(1 / s) / s; };
 
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(an_integrand_that_is_not_finite_is_an_error) {
                     QuadratureError);
 }
 
-BOOST_AUTO_TEST_CASE(what_the_integrand_throws_comes_out) {
+BOOST_AUTO_TEST_CASE(exceptions_of_the_integrand_pass_through) {
   struct FromInside {};
   Quadrature quadrature;
   const auto thrower = [](double) -> double { throw FromInside(); };

@@ -26,7 +26,7 @@ namespace {
 constexpr ContactMInput papers{.n_nodes = 36, .spacing = 0.0005, .zero_node = 9, .step = 1e-7};
 constexpr ContactMRepairs every{true, true, true, true, true, true};
 
-// The solve of a system whose coefficients hold the distant datum: a few digits less than all.
+// The system's coefficients contain the distant datum, which costs a few digits.
 constexpr double solved = 1e-11;
 
 parameters::ContactCase cylinders_of(const Material& material1, const Material& material2) {
@@ -61,7 +61,7 @@ double largest_difference(const ContactM& a, const ContactM& b) {
   return largest;
 }
 
-// Every repair, on a grid n times as fine.
+// With every repair, on a grid n times as fine.
 ContactM mended_on_finer_grid(Eigen::Index n) {
   ContactMInput input = papers;
   input.n_nodes *= n;
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(the_limits_change_little) {
   BOOST_TEST(change < 1e-3 * limits.hertz_peak_pressure);
 }
 
-BOOST_AUTO_TEST_CASE(as_printed_it_does_not_know_the_second_body) {
+BOOST_AUTO_TEST_CASE(as_printed_it_ignores_the_second_body) {
   const auto steel = papers_contact();
   const auto rubber = cylinders_of({30e6, 0.3}, {300, 0.49});
 
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(the_typed_node_is_where_the_printed_program_finds_its_free_
   BOOST_TEST(relative_difference(found.line_load, 2500.0 / 7) < 1e-12);
 }
 
-BOOST_AUTO_TEST_CASE(a_free_edge_has_no_tension_inside_and_one_node_more_would_have) {
+BOOST_AUTO_TEST_CASE(a_free_edge_has_no_tension_but_one_more_node_would) {
   ContactMRepairs mended = every;
   const ContactM found = run_contact_m(papers_contact(), papers, mended);
   mended.free_edge = false;
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(its_hertz_has_twice_the_load_until_mended) {
   BOOST_TEST(largest_difference(listed, mended) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(with_one_body_and_all_else_mended_the_other_is_rigid) {
+BOOST_AUTO_TEST_CASE(without_the_repair_of_both_bodies_the_second_is_rigid) {
   // Hertz with E* = E/(1 − ν²): a/√2 and p₀√2 for two like bodies.
   const auto contact = papers_contact();
   ContactMRepairs mended = every;
@@ -181,7 +181,8 @@ BOOST_AUTO_TEST_CASE(with_every_repair_it_is_the_matrix_inversion_on_both_sides)
 }
 
 BOOST_AUTO_TEST_CASE(with_every_repair_it_converges_to_hertz_to_second_order) {
-  // Error·(a/c)²: it jumps with where the edge lies between nodes, below 0.25 as the solver's.
+  // Error·(a/c)² varies with the position of the edge between nodes but stays below 0.25, as the
+  // solver's.
   const line_contact::Hertz hertz = hertz_of(papers_contact(), 2500);
   for (const Eigen::Index n : {1, 2, 4, 8}) {
     const ContactM program = mended_on_finer_grid(n);
@@ -193,7 +194,7 @@ BOOST_AUTO_TEST_CASE(with_every_repair_it_converges_to_hertz_to_second_order) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(refuses_an_edge_that_leaves_less_than_two_nodes_or_none_beyond) {
+BOOST_AUTO_TEST_CASE(rejects_an_edge_with_fewer_than_two_nodes_inside_or_none_beyond) {
   ContactMInput input = papers;
   for (const Eigen::Index zero_node : {1, 2, 37}) {
     input.zero_node = zero_node;

@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_triangle_is_equation_3) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(displacements_of_curved_shapes_are_those_of_quadrature) {
+BOOST_AUTO_TEST_CASE(displacements_of_curved_shapes_agree_with_quadrature) {
   for (const auto shape : {parabola, ellipse}) {
     const FallingPressure pressure(shape, 63.5, 12.7, 0.42);
     const elasticity::SurfaceQuadrature surface(steel, pressure.load(), datum);
@@ -71,10 +71,10 @@ BOOST_AUTO_TEST_CASE(the_work_under_a_constant_displacement_is_half_of_load_time
              boost::test_tools::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(the_largest_shear_is_that_of_the_textbook) {
+BOOST_AUTO_TEST_CASE(the_largest_shear_matches_the_textbook) {
   // σ_xz of a uniform pressure is largest on the vertical beneath its end, at the surface: p/π
-  // (Johnson 2.30b). Of the linear fall from 1000 to 600 over 0.01 it is 237.98 (p-FEM of another
-  // author), of a parabola of 974 over 0.0123 225.4.
+  // (Johnson 2.30b). For the linear fall from 1000 to 600 over 0.01 it is 237.98 (independent p-FEM
+  // code), for a parabola of 974 over 0.0123 225.4.
   BOOST_TEST(FallingPressure(one, 63.5, 0, 0.42).largest_shear() == 63.5 / std::numbers::pi,
              boost::test_tools::tolerance(0.005));
   BOOST_TEST(FallingPressure(line, 1000, 600, 0.01).largest_shear() == 237.98,

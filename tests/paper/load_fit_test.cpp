@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loads are fitted to displacements that a known load makes.
+// Fits to displacements under a known load.
 #include "paper/load_fit.hpp"
 
 #include <fmt/core.h>
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_parabola_alone_returns_its_peak_and_width) {
   BOOST_TEST(fitted.half_width.value == 0.0123, boost::test_tools::tolerance(1e-7));
 }
 
-BOOST_AUTO_TEST_CASE(a_wrong_shape_misses_and_its_resultant_is_nearly_right) {
+BOOST_AUTO_TEST_CASE(a_wrong_shape_misses_but_its_resultant_is_nearly_right) {
   const LoadFitting fitting = Made(FallingPressure(line.f, 1000, 600, 0.010)).fitting();
 
   const FittedLoad fitted = fitting.fit(line, true, 0.010, Width::held);

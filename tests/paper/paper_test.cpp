@@ -42,7 +42,7 @@ double number(const Document& document, const std::string& key) {
   return document.value(key).number();
 }
 
-// The files of the document without the assignment, and the scripts of the figures.
+// The files of the document except the assignment, and the figures' scripts.
 std::map<std::string, std::string> prose() {
   std::map<std::string, std::string> texts;
   for (const auto& file : std::filesystem::directory_iterator(source_dir + "/report/sections")) {
@@ -52,7 +52,7 @@ std::map<std::string, std::string> prose() {
   return texts;
 }
 
-// Every name that the prose gives one of its commands.
+// Every name that the prose passes to one of its commands.
 std::set<std::string> names(const std::string& command) {
   const std::regex use("\\\\" + command + R"((?:\[[^\]]*\])?\{([A-Za-z0-9.\-_]+)\})");
   std::set<std::string> found;
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(each_figure_has_a_script_and_no_script_is_left_over) {
   BOOST_TEST(scripts == keys(papers().document.figures()), boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(each_script_reads_all_that_is_registered_for_its_figure) {
+BOOST_AUTO_TEST_CASE(each_script_reads_everything_registered_for_its_figure) {
   for (const auto& [name, figure] : papers().document.figures()) {
     const std::string script = sys::read_file(source_dir + "/figures/" + name + ".gp");
     const auto check_read = [&](const std::string& registered) {
@@ -124,8 +124,8 @@ BOOST_AUTO_TEST_CASE(each_script_reads_all_that_is_registered_for_its_figure) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_found_is_what_others_found) {
-  // Recomputed by other hands with p-FEM, a Fourier series and boundary elements.
+BOOST_AUTO_TEST_CASE(results_agree_with_independent_computations) {
+  // Recomputed independently with p-FEM, a Fourier series and boundary elements.
   const Document& d = papers().document;
   const std::map<std::string, double> expected = {
       {"shares.datum", 5.5302e-7},           {"shares.datum.roller", 5.52716e-7},
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(what_is_found_is_what_others_found) {
 
 BOOST_AUTO_TEST_CASE(a_finer_mesh_of_the_block_changes_no_printed_digit) {
   const Document finer = computed(with(papers_text(), "order = 7", "order = 8")).document;
-  // What describes the mesh, and what includes its error.
+  // Except the values that describe the mesh or include its error.
   const std::set<std::string> of_the_mesh = {"block.order", "block.unknowns",
                                              "block.displacement-error", "block.larger.shape",
                                              "fit.by-level"};
@@ -170,14 +170,14 @@ BOOST_AUTO_TEST_CASE(values_are_those_of_the_case_in_its_units) {
              close);
 }
 
-BOOST_AUTO_TEST_CASE(other_cases_hold_and_leave_the_print_out) {
+BOOST_AUTO_TEST_CASE(other_cases_hold_and_omit_the_print) {
   const std::string paper = papers_text(), steel = steel_text();
   const std::pair<const char*, std::string> cases[] = {
       {"other radii and load",
        with(with(with(paper, "radius = {value = 1,", "radius = {value = 2,"),
                  "radius = {value = 3,", "radius = {value = 5,"),
             "load = {value = 2500,", "load = {value = 1200,")},
-      {"no block", without(paper, "[block]", "# What the paper prints")},
+      {"no block", without(paper, "[block]", "# The paper's printed numbers")},
       {"no spheres", without(paper, "[point_contact]", "# The finite body")},
       {"a plane and other units", steel},
       {"a hollow", with(steel, "radius = \"plane\"", "radius = {value = -61, unit = \"mm\"}")},

@@ -13,14 +13,14 @@ inline std::string papers_text() {
   return sys::read_file(HALFSPACE_SOURCE_DIR "/report/ruggiero2001.toml");
 }
 
-/// A text with the first of what it holds replaced.
+/// A text with the first occurrence of a part replaced.
 inline std::string with(std::string text, const std::string& before, const std::string& after) {
   const auto at = text.find(before);
   BOOST_TEST_REQUIRE((at != std::string::npos), before << " is not in the text");
   return text.replace(at, before.size(), after);
 }
 
-/// A text without what lies between two tables.
+/// A text without the part between two tables.
 inline std::string without(const std::string& text, const std::string& begin,
                            const std::string& end) {
   const auto from = text.find(begin);

@@ -8,7 +8,7 @@ BOOST_AUTO_TEST_SUITE(printed_data_test)
 
 namespace {
 
-// A case is refused in one line that ends so.
+// A case is rejected in one line with this ending.
 void check_refused(const std::string& text, const std::string& end) {
   const parameters::Case c = case_of(text);
   BOOST_CHECK_EXCEPTION(paper::read_printed(c), config::Error, [&](const config::Error& e) {
@@ -38,10 +38,10 @@ BOOST_AUTO_TEST_CASE(a_case_without_print_has_none) {
   BOOST_TEST(!paper::read_printed(case_of(text.substr(0, text.find("\n[printed]")))).has_value());
 }
 
-BOOST_AUTO_TEST_CASE(numbers_that_are_missing_or_unknown_are_refused_at_their_keys) {
+BOOST_AUTO_TEST_CASE(missing_and_unknown_numbers_are_rejected_at_their_keys) {
   const std::string text = papers_text();
   check_refused(with(text, "\"1.6236048e-006\", ", ""),
-                "printed.tri_dist.displacement: 10 numbers for 11 points");
+                "printed.tri_dist.displacement: 10 numbers: must be 11, one per point");
   check_refused(with(text, "strain_energy = \"1.212280e-05\"\n", ""),
                 "printed.appendix2.measures.strain_energy: missing");
   check_refused(with(text, "zero_node = \"9\"", "zero_node = \"9\"\nlast = \"1\""),
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(the_papers_own_case_does_not_differ) {
   BOOST_TEST(paper::difference_from_paper(c, paper::read_printed(c).value()) == "");
 }
 
-BOOST_AUTO_TEST_CASE(any_other_number_is_the_first_difference) {
+BOOST_AUTO_TEST_CASE(any_changed_number_is_the_first_difference) {
   const std::string other[][3] = {
       {"peak_pressure = {value = 1000,", "peak_pressure = {value = 900,",
        "half_space.load.peak_pressure, 900 psi, is not the paper's 1000"},

@@ -41,7 +41,7 @@ auto read(const std::string& text, Read reader = &read_case) {
   return reader(folder.write("case.toml", text));
 }
 
-// The text is refused in one line that says what it must.
+// The text is rejected in one line with the expected message.
 template <class Read = Case (*)(const std::filesystem::path&)>
 void check_refused(const std::string& text, const std::string& says, Read reader = &read_case) {
   BOOST_CHECK_EXCEPTION(read(text, reader), config::Error, [&](const config::Error& e) {
@@ -53,7 +53,7 @@ void check_refused(const std::string& text, const std::string& says, Read reader
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_papers_case_is_what_the_paper_says) {
+BOOST_AUTO_TEST_CASE(the_papers_case_has_the_numbers_of_the_paper) {
   const Case c = read_case(PAPERS_CASE);
 
   BOOST_TEST(c.units.name == "in-lbf");
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_reader_takes_the_tables_that_it_needs) {
   BOOST_TEST(read(with("[printed.tri_dist]", "[printed.other]")).printed.value().has("other"));
 }
 
-BOOST_AUTO_TEST_CASE(radii_points_and_units_may_be_others) {
+BOOST_AUTO_TEST_CASE(radii_points_and_units_may_differ) {
   const auto radius2 = [](const std::string& other) {
     return read(with("radius = {value = 3, unit = \"in\"}", "radius = " + other));
   };
@@ -98,10 +98,10 @@ BOOST_AUTO_TEST_CASE(radii_points_and_units_may_be_others) {
   BOOST_TEST(read(ksi).half_space.material.young() == 30e6);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_out_of_range_is_refused_by_its_key) {
+BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_rejected_by_key) {
   const std::string half_width = "half_space.load.half_width";
   const std::string refusals[][3] = {
-      {"title = \"Ruggiero (2001)\"", "title = \"  \"", ":6:9: title: must name the case"},
+      {"title = \"Ruggiero (2001)\"", "title = \"  \"", ":6:9: title: must not be empty"},
       {"units = \"in-lbf\"  #", "units = \"ft-lbf\"  #", "units: unknown unit system"},
       {"unit = \"psi\"", "unit = \"in\"", "half_space.material.young.unit"},
       {"value = 30e6", "value = -30e6",

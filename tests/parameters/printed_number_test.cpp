@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(digits_and_last_place_are_counted_as_printed) {
   BOOST_TEST(PrintedNumber("37").last_place() == 1);
 }
 
-BOOST_AUTO_TEST_CASE(a_print_agrees_with_every_number_that_rounds_to_it) {
+BOOST_AUTO_TEST_CASE(a_printed_number_agrees_with_every_number_that_rounds_to_it) {
   const PrintedNumber printed("2.6");
 
   BOOST_TEST(printed.agrees_with(2.5501));
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(agreement_counts_across_a_carry) {
   BOOST_TEST(PrintedNumber("10.00").agrees_with(9.9996));
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_decimal_number_is_refused) {
+BOOST_AUTO_TEST_CASE(texts_that_are_not_decimal_numbers_are_rejected) {
   for (const char* text : {"", "abc", "1.2.3", "1e", "0x10", "inf", " 1", "1,5"}) {
     BOOST_CHECK_THROW(PrintedNumber{text}, std::invalid_argument);
   }

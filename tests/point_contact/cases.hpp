@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contacts that the tests of this room solve.
+// The contacts that these tests solve.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ inline constexpr double curvature_x = 0.2;
 inline constexpr double curvature_y = 1.1;
 inline const point_contact::HertzElliptic ellipse(modulus, curvature_x, curvature_y, load);
 
-// A measured surface: a paraboloid with waves on it, not symmetric, touching in several regions.
+// A measured surface: an asymmetric wavy paraboloid that touches in several regions.
 inline Profile wavy_profile() {
   constexpr Eigen::Index n = 101;
   constexpr double spacing = 0.01;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes a pressure that of a contact, for each closed form.
+// The conditions of contact, for each closed form.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -74,7 +74,7 @@ double displacement(const ClosedForm& c, const Vector2& at) {
   };
   numerics::Quadrature quadrature(5000);
   double sum = 0;
-  // Pieces, since the rays of a long ellipse lie close together.
+  // Integrate in pieces, because the rays of a long ellipse crowd together.
   constexpr int n_pieces = 64;
   for (int k = 0; k < n_pieces; ++k) {
     sum += quadrature
@@ -87,7 +87,7 @@ double displacement(const ClosedForm& c, const Vector2& at) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_pressure_is_an_ellipsoid_that_carries_the_load) {
+BOOST_AUTO_TEST_CASE(the_pressure_is_ellipsoidal_and_carries_the_load) {
   for (const ClosedForm& c : closed_forms) {
     BOOST_TEST_CONTEXT(c.name) {
       BOOST_TEST(relative_difference(2 * pi / 3 * c.a * c.b * c.peak_pressure, load) < 1e-14);
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(the_pressure_closes_the_gap_by_equation_1a_and_opens_it_by_
   }
 }
 
-BOOST_AUTO_TEST_CASE(spheres_are_johnsons) {
+BOOST_AUTO_TEST_CASE(spheres_match_johnson) {
   // Johnson 4.22–4.24 with R = 1/κ.
   const double R = 1 / curvature;
   BOOST_TEST(relative_difference(hertz.radius(), std::cbrt(3 * load * R / (4 * modulus))) < 1e-15);

@@ -31,7 +31,7 @@ Precise precise_uniform(const Precise& x, const Precise& y) {
          corner(x - half, y - half);
 }
 
-// A pyramid is a uniform square that is smeared along (−1, 1). Near the diagonal through d the
+// A pyramid is a uniform square smeared along (−1, 1). Near the diagonal through d the
 // integrand has kinks like t ln t where an edge passes.
 double smeared(const Vector2& d) {
   numerics::Quadrature quadrature;
@@ -53,7 +53,7 @@ double smeared(const Vector2& d) {
   return sum;
 }
 
-// Nodes and other places near, across the changes of rule at 7, 20, 60, 120 spacings, and far.
+// Nodes and other points nearby, at the changes of rule at 7, 20, 60, 120 spacings, and far away.
 std::vector<Vector2> places() {
   std::vector<Vector2> result;
   for (int i = -5; i <= 5; ++i) {
@@ -72,7 +72,7 @@ std::vector<Vector2> places() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_uniform_element_is_right_to_1e_14_near_and_2e_14_of_itself_far_away) {
+BOOST_AUTO_TEST_CASE(a_uniform_element_is_accurate_to_1e_14_near_and_2e_14_relative_far_away) {
   for (const Vector2& d : places()) {
     const Precise exact = precise_uniform(d.x(), d.y());
     const double error = abs(influence_coefficient(Element::uniform, d) - exact).toDouble();
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(a_pyramid_is_a_smeared_uniform_element) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(elements_are_even_and_the_same_if_x_and_y_are_exchanged) {
+BOOST_AUTO_TEST_CASE(elements_are_even_and_symmetric_in_x_and_y) {
   for (const Element element : {Element::uniform, Element::pyramid}) {
     for (const Vector2& d : places()) {
       const double value = influence_coefficient(element, d);
@@ -103,14 +103,14 @@ BOOST_AUTO_TEST_CASE(elements_are_even_and_the_same_if_x_and_y_are_exchanged) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(far_away_an_element_is_a_force) {
+BOOST_AUTO_TEST_CASE(far_away_an_element_acts_as_a_force) {
   for (const Element element : {Element::uniform, Element::pyramid}) {
     const Vector2 d(3e5, -4e5);
     BOOST_TEST(tolerance::relative_difference(influence_coefficient(element, d), 2e-6) < 1e-11);
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_linear_pressure_on_a_triangle_is_the_quadrature_of_its_parts) {
+BOOST_AUTO_TEST_CASE(a_linear_pressure_on_a_triangle_agrees_with_quadrature) {
   // In polar coordinates about a corner of the triangle (0, 0), (1, 0), (0.3, 0.8): ∫∫ σ dρ dθ.
   const std::array<Vector2, 3> corners = {{{0, 0}, {1, 0}, {0.3, 0.8}}};
   const std::array<double, 3> values = {0.7, -0.2, 1.3};

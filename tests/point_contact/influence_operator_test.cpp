@@ -46,7 +46,7 @@ MatrixXd preconditioner(Element element, Index n1, Index n2) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(displacements_are_the_dense_products_in_place_too) {
+BOOST_AUTO_TEST_CASE(displacements_are_the_dense_products_even_in_place) {
   for (const Element element : elements) {
     for (const auto& [n1, n2] : sizes) {
       InfluenceOperator influence(element, n1, n2);
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_symmetric_positive_and_nearly_the_inv
       const VectorXd v = random_values(16 * 12).array() - random.uniform(0, 1);
       BOOST_TEST(v.dot(matrix * v) > 0);
     }
-    // Away from the sides a wave comes back as it was.
+    // Away from the sides, a wave is unchanged.
     const VectorXd wave = VectorXd::NullaryExpr(16 * 12, [](Index k) {
       const double x = static_cast<double>(k % 16) - 7.5, y = static_cast<double>(k / 16) - 5.5;
       return std::exp(-(x * x + y * y) / 8) * std::cos(2.1 * x - 1.3 * y);

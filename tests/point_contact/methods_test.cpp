@@ -26,7 +26,8 @@ double difference(const VectorXd& a, const VectorXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.maxCoeff();
 }
 
-// The nodal pressures and the approach by matrix inversion, which knows neither FFT nor grids.
+// The nodal pressures and the approach by matrix inversion, which uses neither FFT nor nested
+// grids.
 struct Inverted {
   VectorXd pressure, gap;
   double approach;
@@ -44,7 +45,7 @@ Inverted inverted(const Problem& problem) {
   return {std::numbers::pi * modulus / grid.spacing * loads.phi, loads.gap, loads.approach};
 }
 
-// Root of the mean square of p − Hertz over r ≤ 0.8 a, relative to the peak.
+// Root mean square of p − Hertz over r ≤ 0.8 a, relative to the peak.
 double error_inside(const Solution& s) {
   double squares = 0;
   double n_inside = 0;
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(spheres_approach_hertz_with_order_two) {
   for (const Element element : elements) {
     double before = 0;
     for (const Index n : {64, 128, 256}) {
-      // The mean of a few grids: single errors scatter with where the edge falls between nodes.
+      // The mean of a few grids: single errors scatter with the position of the edge between nodes.
       double inside = 0, peak = 0;
       for (const Index more : {0, 3, 7}) {
         const Solution s = solve_for_load(spheres_on(n + more, element), load, 1e-9);
@@ -155,7 +156,7 @@ BOOST_AUTO_TEST_CASE(other_units_of_length_and_stress_change_nothing) {
   BOOST_TEST(relative_difference(theirs.approach / length, ours.approach) < 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(pressures_are_right_to_the_tolerance) {
+BOOST_AUTO_TEST_CASE(pressures_are_accurate_to_the_tolerance) {
   for (const auto& c : cases) {
     const Problem problem = problem_of(c, 100);
     const Solution best = solve_for_load(problem, load, point_contact::min_tolerance);
@@ -168,7 +169,7 @@ BOOST_AUTO_TEST_CASE(pressures_are_right_to_the_tolerance) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(products_on_the_finest_grid_do_not_grow_with_its_nodes) {
+BOOST_AUTO_TEST_CASE(products_on_the_finest_grid_do_not_increase_with_its_nodes) {
   for (const Index n : {64, 128, 256, 512}) {
     const Solution s = solve_for_load(spheres_on(n), load);
     BOOST_TEST_CONTEXT("n = " << n) {

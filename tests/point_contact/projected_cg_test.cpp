@@ -21,7 +21,7 @@ namespace {
 
 constexpr Index n1 = 17, n2 = 14, n = n1 * n2;
 
-// A paraboloid held in contact on a disk with a hole and a node apart, under Σφ = 2.385.
+// A paraboloid with contact fixed on a disk with a hole and on a single node, under Σφ = 2.385.
 ContactState held(InfluenceOperator& influence, VectorXd& initial_gap) {
   initial_gap = VectorXd::NullaryExpr(n, [](Index k) {
     const double x = static_cast<double>(k % n1) - 7.7, y = static_cast<double>(k / n1) - 6.1;
@@ -40,7 +40,7 @@ ContactState held(InfluenceOperator& influence, VectorXd& initial_gap) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(held_contact_is_solved_as_by_elimination) {
+BOOST_AUTO_TEST_CASE(a_fixed_contact_is_solved_as_by_elimination) {
   for (const Element element : elements) {
     InfluenceOperator influence(element, n1, n2);
     VectorXd initial_gap;

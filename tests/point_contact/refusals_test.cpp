@@ -18,7 +18,7 @@ using point_contact::solve_by_variational_method;
 using point_contact::solve_for_load;
 using point_contact::square_grid;
 
-BOOST_AUTO_TEST_CASE(bodies_and_grids_that_make_no_sense_are_refused_by_name) {
+BOOST_AUTO_TEST_CASE(invalid_bodies_and_grids_are_rejected_by_name) {
   const Eigen::ArrayXXd flat = Eigen::ArrayXXd::Zero(5, 5);
   Eigen::ArrayXXd infinite = flat;
   infinite(3, 2) = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(bodies_and_grids_that_make_no_sense_are_refused_by_name) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(problems_that_cannot_be_solved_are_refused_by_both_methods) {
+BOOST_AUTO_TEST_CASE(unsolvable_problems_are_rejected_by_both_methods) {
   const Problem spheres = spheres_on(32);
   Problem soft = spheres, beyond = problem_of(cases[2], 32), huge = spheres, narrow = spheres,
           measured = beyond;
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(problems_that_cannot_be_solved_are_refused_by_both_methods)
         +[](const Problem&p, double P) { solve_by_variational_method(p, P); }}) {
     check_refused({
         {"load = 0", [&] { solve(spheres, 0); }},
-        {"load = 1e+120: must be less", [&] { solve(spheres, 1e120); }},
+        {"load = 1e+120: must be less than ", [&] { solve(spheres, 1e120); }},
         {"contact_modulus = 0", [&] { solve(soft, load); }},
         {"within the measured surface, |x| ≤ 0.5", [&] { solve(beyond, load); }},
         {"largest gap on the grid", [&] { solve(huge, load); }},
@@ -70,14 +70,14 @@ BOOST_AUTO_TEST_CASE(problems_that_cannot_be_solved_are_refused_by_both_methods)
   });
 }
 
-BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_ends_with_the_number_that_would_do) {
+BOOST_AUTO_TEST_CASE(a_contact_of_few_nodes_is_an_error_with_a_sufficient_number) {
   for (const Eigen::Index n : {64, 65, 300, 513}) {
-    for (const double part : {1e-3, 0.3, 0.8, 1.3, 3.0}) {  // of the spacing, the radius
+    for (const double part : {1e-3, 0.3, 0.8, 1.3, 3.0}) {  // the radius in spacings
       const double spacing = cases[0].width / static_cast<double>(n);
       const double tiny = load * std::pow(part * spacing / hertz.radius(), 3);
       const auto solve = [&] { solve_for_load(spheres_on(n), tiny); };
       if (part < 1.5) {
-        check_refused({{"must be 8 or more: take at least", solve}});
+        check_refused({{"must be 8 or more: use at least", solve}});
       } else {
         BOOST_CHECK_NO_THROW(solve());
       }

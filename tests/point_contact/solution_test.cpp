@@ -21,7 +21,7 @@ using tolerance::relative_difference;
 
 namespace {
 
-// Pressures on 40 × 30 nodes by a function of the place in spacings from the middle.
+// Pressures on 40 × 30 nodes from a function of the position in spacings from the middle.
 template <class Pressure>
 Solution with_pressure(Element element, const Pressure& pressure) {
   const Grid grid{0.25, 40, 30};
@@ -65,8 +65,9 @@ BOOST_AUTO_TEST_CASE(an_ellipse_turned_by_any_angle_keeps_its_semi_axes) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(regions_are_neighbouring_nodes_the_heaviest_first) {
-  // Two disks that touch at a corner along (1, 1), which is no edge of a pyramid, and a heavy node.
+BOOST_AUTO_TEST_CASE(regions_are_connected_nodes_in_order_of_falling_load) {
+  // Two disks that touch at a corner along (1, 1), which is not an edge of a pyramid, and a heavy
+  // node.
   const Solution s = with_pressure(Element::pyramid, [](const Vector2& at) {
     if ((at - Vector2(15.5, 10.5)).norm() < 0.1) return 100.0;
     if (at.x() < 0 && at.y() < 0 && at.x() > -5 && at.y() > -5) return 1.0;
@@ -91,7 +92,7 @@ BOOST_AUTO_TEST_CASE(a_measured_surface_touches_in_regions_that_carry_the_load) 
   BOOST_TEST(relative_difference(sum, load) < 1e-13);
 }
 
-BOOST_AUTO_TEST_CASE(a_warning_tells_the_size_of_the_error_of_a_coarse_contact) {
+BOOST_AUTO_TEST_CASE(a_warning_states_the_error_of_a_coarse_contact) {
   for (const Element element : elements) {
     for (double across = 5; across < 28; across += 0.71) {
       const Problem problem{

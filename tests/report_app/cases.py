@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The paper's case, copies of it with changes, and a temporary folder for what is made of them."""
+"""The paper's case, changed copies of it, and a temporary folder for the results."""
 
 import os
 import tempfile
@@ -12,7 +12,7 @@ STEEL = (SOURCE / "tests/end_to_end/steel_mm.toml").read_text()
 
 
 def changed(text: str, *changes: tuple[str, str]) -> str:
-    """Returns the text with the first of each `before` replaced by `after`."""
+    """Returns the text with the first occurrence of each `before` replaced by `after`."""
     for before, after in changes:
         assert before in text, before
         text = text.replace(before, after, 1)
@@ -24,7 +24,7 @@ OWN_CONTACT = changed(PAPER, ("radius = {value = 1,", "radius = {value = 2,"), (
 
 
 class InFolder(unittest.TestCase):
-    """A test in a folder of its own, whose name has a blank."""
+    """A test in a separate folder, whose name contains a space."""
 
     def setUp(self):
         holder = tempfile.TemporaryDirectory(prefix="report test ")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The documents of several cases: they are typeset, and no sentence in them is about something else."""
+"""The documents of several cases are typeset, and every sentence in them applies to the case."""
 
 import os
 import re
@@ -14,7 +14,7 @@ OF_THE_PRINT = ["The run", "Three findings", "Contact.m", "Tri_dist.m", "The cop
 
 class Documents(InFolder):
     def text(self, case):
-        """Typesets a case and returns the words of the PDF, with one blank between."""
+        """Typesets a case and returns the words of the PDF, separated by single spaces."""
         made = subprocess.run([sys.executable, str(SOURCE / "src/literate/tools/literate"), "case", os.environ["SETTINGS"],
                                str(self.case(case)), str(self.folder / "out")], capture_output=True, text=True)
         self.assertEqual(made.returncode, 0, made.stderr)
@@ -32,10 +32,10 @@ class Documents(InFolder):
         for sentence in not_said:
             self.assertNotIn(sentence, text)
 
-    def test_of_the_papers_case_everything_is_said(self):
+    def test_the_papers_case_has_every_section(self):
         self.check(PAPER, [*OF_THE_PRINT, "has four errors", "Two spheres with the radii"], ["left out"])
 
-    def test_of_a_case_of_ones_own_nothing_is_said_about_the_print(self):
+    def test_a_users_case_omits_the_printed_numbers(self):
         self.check(OWN_CONTACT, ["The block of this case is 2 in wide", "pressed together by P = 1200 lbf/in", "left out"],
                    OF_THE_PRINT)
 

@@ -47,7 +47,8 @@ double total_phi(const Problem& problem, double load) {
   sys::require_positive("load", load);
   const double total = load / (std::numbers::pi * problem.contact_modulus * problem.grid.spacing);
   if (!(total < contact::largest_length)) {
-    throw sys::InvalidQuantity("load", load, "smaller: its square overflows");
+    throw sys::InvalidQuantity(
+        "load", load, fmt::format("less than {:.3g}", load / total * contact::largest_length));
   }
   return total;
 }

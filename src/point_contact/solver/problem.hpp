@@ -22,7 +22,7 @@ struct Problem {
 Eigen::VectorXd initial_gaps(const Problem& problem);
 
 /// Σφ = P/(πE*c) for the load P, with nodal loads φ = c p/(πE*); a length. Throws InvalidQuantity
-/// for P ≤ 0 and if the square of Σφ would overflow.
+/// for P ≤ 0 and if Σφ is not less than contact::largest_length.
 double total_phi(const Problem& problem, double load);
 
 }  // namespace point_contact
