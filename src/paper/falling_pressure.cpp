@@ -91,10 +91,12 @@ double FallingPressure::largest_shear() const {
     return std::abs(elasticity::stress_beneath(nodes, values, x, z).xz);
   };
 
-  // The maximum lies beneath the end of the strip, at most a half-width deep.
+  // Beneath a jump at the end of the strip the shear stress tends to pressure/π. A greater one lies
+  // beneath the end, at most a half-width deep.
   constexpr int n = 5;         // steps to either side
   constexpr double finer = 3;  // from one grid to the next
-  double best = 0, best_x = 0.75 * half_width_, best_z = 0.5 * half_width_;
+  double best = values_.back() / std::numbers::pi;
+  double best_x = 0.75 * half_width_, best_z = 0.5 * half_width_;
   for (double step = half_width_ / (2.0 * n); step > 1e-4 * half_width_; step /= finer) {
     const double centre_x = best_x, centre_z = best_z;
     for (int i = -n; i <= n; ++i) {
