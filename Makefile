@@ -33,6 +33,7 @@ configure = $(lock); [ "$$(cat build/configured 2>/dev/null)" = "$$PWD" ] || { \
 	  pwd >build/configured; }
 with_tests = $(configure); grep -q BUILD_TESTING:BOOL=ON build/release/CMakeCache.txt || \
 	cmake --preset release -DBUILD_TESTING=ON >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 2; }
+ctest = env -u MAKEFLAGS -u MAKELEVEL ctest
 ninja = $(literate) build --folder build/release
 literate = python3 src/literate/tools/literate
 
@@ -69,9 +70,9 @@ course: ## proves, grades, packs the assignment; without DO prints help
 	  $(ninja) $$judge && python3 -B src/course/course.py $$DO $${SUBMISSIONS:+"$$SUBMISSIONS"} $${CLASS:+--class "$$CLASS"} \
 	    $${J:+--jobs "$$J"} $${SANDBOX:+--sandbox "$$SANDBOX"}
 test: ## runs the everyday tests
-	@$(with_tests); $(ninja) everyday_tests && ctest --preset everyday -j $$(($$(nproc) + 1))
+	@$(with_tests); $(ninja) everyday_tests && $(ctest) --preset everyday -j $$(($$(nproc) + 1))
 test-all: ## runs every test
-	@$(with_tests); $(ninja) all && ctest --preset release -j $$(($$(nproc) + 1))
+	@$(with_tests); $(ninja) all && $(ctest) --preset release -j $$(($$(nproc) + 1))
 bench: ## runs the benchmarks, build/bench/bench.json
 	@$(lock); cmake --preset bench >build/configure.log && ninja -C build/bench --quiet halfspace_bench && \
 	  build/bench/halfspace_bench --benchmark_out=build/bench/bench.json --benchmark_out_format=json

@@ -14,8 +14,7 @@ from paper import ENGINE
 class NewInCpp(unittest.TestCase):
     def run_in(self, folder: Path, *command: str | Path) -> str:
         """Runs a command that must succeed and returns its output."""
-        environment = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MAKELEVEL")}
-        ran = subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        ran = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.assertEqual(ran.returncode, 0, ran.stdout)
         return ran.stdout
 

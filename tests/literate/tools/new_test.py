@@ -17,7 +17,7 @@ class New(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="new ")
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name).resolve()
-        self.environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "ENGINE", "MAKEFLAGS", "MAKELEVEL")}
+        self.environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "ENGINE")}
 
     def installed(self, name: str) -> Path:
         """Installs an engine without its C++ library, which scripts do not need, and returns the prefix."""
