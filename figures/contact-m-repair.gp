@@ -14,7 +14,7 @@ do for [i = 1:n] {
 }
 
 set multiplot layout (n + across - 1) / across,across \
-  margins 0.095,0.99,0.15,0.95 spacing 0.03,0.21
+  margins 0.095,0.99,0.21,0.95 spacing 0.03,0.2
 set xrange [-1.5:1.5]
 set xtics 1
 set yrange [0:top]

@@ -7,8 +7,8 @@ set multiplot
 
 set lmargin at screen 0.17
 set rmargin at screen 0.98
-set tmargin at screen 0.97
-set bmargin at screen 0.49
+set tmargin at screen 0.98
+set bmargin at screen 0.54
 set format x ''
 set yrange [0:1.05]
 set ytics 0.25
@@ -17,8 +17,8 @@ set key at graph 0.5,0.35 center
 plot hertz using "x":"pressure" with lines ls 1 title 'Hertz', \
      nodes using "x":"pressure" with points ls 11 title 'triangular elements'
 
-set tmargin at screen 0.43
-set bmargin at screen 0.19
+set tmargin at screen 0.49
+set bmargin at screen 0.26
 set format x '$%g$'
 set xlabel '$x/a$'
 set logscale y
