@@ -50,7 +50,7 @@ void set_up(Gnuplot& gnuplot, const Picture& picture, const std::string& termina
   if (is_text) {
     // A terminal cannot print vertical text, so the label of the y axis goes above it.
     gnuplot << "set label 1 " << quoted(picture.y_label) << " at graph 0, screen 0.95\n"
-            << "set tmargin 4\n";
+            << "set tmargin 4\nset key width 4\n";
   } else {
     gnuplot << "set ylabel " << quoted(picture.y_label) << "\n";
   }
