@@ -105,7 +105,8 @@ PowerLaw fit_power(const std::vector<double>& n, const std::vector<double>& erro
   VectorXd logarithms(count);
   for (Index i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    matrix.row(i) << 1, -std::log(sys::require_positive("abscissa", n[at]));
+    const double abscissa = sys::require_positive("abscissa", n[at]);
+    matrix.row(i) << 1, -std::log(abscissa);
     logarithms[i] = std::log(sys::require_positive("magnitude of an error", std::abs(errors[at])));
   }
   const Fit found = fit(matrix, logarithms);
