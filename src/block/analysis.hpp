@@ -57,7 +57,7 @@ class SupportedBlock {
 
   const Factorization& fine() const { return levels_[0]; }
 
-  /// Throws as Factorization::solve does.
+  /// Throws what Factorization::solve throws.
   RefinedSolution solve(const elasticity::Load& load) const;
 
  private:
@@ -80,7 +80,7 @@ class Analysis {
 
   const std::shared_ptr<const Model>& fine() const { return levels_[0]; }
 
-  /// The block on the given supports. Throws as Factorization.
+  /// The block on the given supports. Throws what Factorization throws.
   SupportedBlock on(const Supports& supports) const { return {block_, levels_, supports}; }
 
  private:

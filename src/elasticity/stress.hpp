@@ -17,7 +17,7 @@ struct Stress {
 
   Stress& operator+=(const Stress& other);
 
-  /// σ_yy = ν(σ_xx + σ_zz), the stress across the plane.
+  /// σ_yy = ν(σ_xx + σ_zz), the out-of-plane stress.
   double yy(double nu) const;
 
   /// τ₁ = √(((σ_xx − σ_zz)/2)² + σ_xz²), the greatest shear in the plane x, z; a stress ≥ 0.

@@ -14,8 +14,8 @@ namespace line_contact {
 /// neither occurs. Cost n³ for n nodes, at most contact::max_dense_nodes.
 ///
 /// Relative error against Hertz with 40 triangles over the half-width: peak 1e-4, half-width 2e-4.
-/// Throws InvalidQuantity for P ≤ 0, an invalid problem, too many nodes, and as to_solution();
-/// ContactError if the contact does not settle.
+/// Throws InvalidQuantity for P ≤ 0, an invalid problem or too many nodes, ContactError if the
+/// contact does not settle, and whatever to_solution() throws.
 Solution solve_by_matrix_inversion(const Problem& problem, double line_load);
 
 /// Solves a frictionless contact under the load P (force per unit length) by the variational
@@ -28,9 +28,9 @@ Solution solve_by_matrix_inversion(const Problem& problem, double line_load);
 ///
 /// It uses the constrained conjugate gradients of Polonsky & Keer (1999), Wear 231, 206, with the
 /// dense C: a slow method, about 16 √n products for n nodes, kept as an independent reference for
-/// the others. It agrees with matrix inversion to 1e-10 of the peak. Throws as
-/// solve_by_matrix_inversion(), and ContactError if the minimum is not reached in 1000 + 400 √n
-/// products.
+/// the others. It agrees with matrix inversion to 1e-10 of the peak. Throws what
+/// solve_by_matrix_inversion() throws, and ContactError if the minimum is not reached in
+/// 1000 + 400 √n products.
 Solution solve_by_variational_method(const Problem& problem, double line_load);
 
 }  // namespace line_contact

@@ -37,8 +37,8 @@ inline constexpr Eigen::Index max_nodes = Eigen::Index{1} << 24;
 /// and a half_width that is not > 0.
 Grid grid_around(double half_width, Eigen::Index n_nodes);
 
-/// n_nodes in the middles of n_nodes spacings that together fill `width` about `centre`. Throws as
-/// grid_around.
+/// n_nodes in the middles of n_nodes spacings that together fill `width` about `centre`. Throws
+/// what grid_around throws.
 Grid grid_of_width(double width, Eigen::Index n_nodes, double centre = 0);
 
 /// Two bodies to be pressed together, and the elements that represent their pressure.

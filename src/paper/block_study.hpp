@@ -30,7 +30,7 @@ struct Level {
 /// The finite block of a case, by finite elements on a mesh for its load.
 class BlockStudy {
  public:
-  /// Throws as block::Analysis.
+  /// Throws what block::Analysis throws.
   BlockStudy(const HalfSpaceCase& half_space, const BlockCase& block_case);
 
   /// The block on the case's supports.

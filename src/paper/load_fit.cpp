@@ -30,8 +30,8 @@ LoadFitting::LoadFitting(const HalfSpaceCase& h, const PrintedData& printed, Lev
   }
 }
 
-// The position of the load's second moment between the triangle's, a²/6, and the uniform load's,
-// a²/3.
+// Where the load's second moment lies between that of the triangle, a²/6, which gives 0, and that
+// of the uniform load, a²/3, which gives 1.
 double LoadFitting::share_of_uniform(const FallingPressure& pressure) const {
   return 6 * pressure.second_moment() / std::pow(h_.load.half_width(), 2) - 1;
 }

@@ -39,7 +39,7 @@ PrintedTriDist read_tri_dist(const config::Table& table, std::size_t n_points) {
           column(table, "displacement", n_points)};
 }
 
-// Numbers under any names, some of which the report needs.
+// All the numbers of a table, whatever their names. Those that are `needed` must be there.
 Numbers read_numbers(const config::Table& table, const std::vector<std::string>& needed) {
   Numbers numbers;
   for (const std::string& key : table.keys())

@@ -27,7 +27,7 @@ std::vector<std::string_view> lines_of(std::string_view text);
 /// Removes blanks, tabs and line ends from both ends of a text.
 std::string_view stripped(std::string_view text);
 
-/// Returns the words of a text in one line, separated by one blank.
+/// Returns the words of a text on one line, separated by single spaces.
 std::string one_line(std::string_view text);
 
 }  // namespace sys

@@ -20,7 +20,7 @@ struct Load {
   double unit_pressure;                    ///< p₀, Pa: the magnitude of p
 };
 
-/// A number and a bound of its error: the true value is in [value − abs_error, value + abs_error].
+/// A number and a bound on its error: the true value is in [value − abs_error, value + abs_error].
 struct Estimate {
   double value;
   double abs_error;

@@ -40,7 +40,7 @@ struct FigureData {
 /// - `width_cm` and `height_cm`.
 ///
 /// The names of blocks, numbers and texts are distinct gnuplot identifiers: letters, digits and
-/// underscores, with no digit first.
+/// underscores, not starting with a digit.
 struct Figure {
   double width_cm = 0;
   double height_cm = 0;

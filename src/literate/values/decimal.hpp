@@ -34,7 +34,7 @@ double decimal_difference(double a, double b);
 /// The exact rounding error of a + b: the sum less its rounded value (Knuth's TwoSum).
 double error_of_sum(double a, double b);
 
-/// Upper bounds of a + b and a·b, which are exact if the result is a double.
+/// Upper bounds on a + b and a·b, which are exact if the result is a double.
 double add_up(double a, double b);
 double multiply_up(double a, double b);
 

@@ -35,7 +35,7 @@ class Value {
   /// A plain text, which is escaped for LaTeX.
   static Value text(std::string_view text);
 
-  /// Returns this bare number with a bound of its error, in the unit of the number (for a
+  /// Returns this bare number with a bound on its error, in the unit of the number (for a
   /// percentage, of the ratio).
   Value within(double bound) const;
 

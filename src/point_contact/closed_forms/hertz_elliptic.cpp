@@ -46,7 +46,7 @@ double require_ratio(double curvature_x, double curvature_y) {
   return ratio;
 }
 
-// The w ≥ 0 with x²/(a²+w) + y²/(b²+w) = 1, the greater root of a quadratic equation; 0 inside.
+// The larger root w of x²/(a²+w) + y²/(b²+w) = 1, a quadratic equation; 0 inside the ellipse.
 double confocal_parameter(double a, double b, const Vector2& at) {
   const double x2 = at.x() * at.x();
   const double y2 = at.y() * at.y();

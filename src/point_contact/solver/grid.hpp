@@ -38,7 +38,7 @@ inline constexpr Eigen::Index max_nodes = 8192;
 /// 0 and for n outside [min_nodes, max_nodes].
 Grid rectangular_grid(double width, double height, Eigen::Index n);
 
-/// n × n nodes that fill a square. Throws as rectangular_grid.
+/// n × n nodes that fill a square. Throws what rectangular_grid throws.
 Grid square_grid(double width, Eigen::Index n);
 
 }  // namespace point_contact

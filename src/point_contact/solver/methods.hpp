@@ -30,8 +30,8 @@ Solution solve_for_load(const Problem& problem, double load, double tolerance = 
 /// A tolerance of 1e-7 takes about 70 to 170 steps on 128² to 1024² nodes; on 1024² it then stalls
 /// at 7e-8 for hundreds of steps. The iteration ends when no gap in contact and no penetration
 /// exceeds tolerance·max φ, which bounds the error of the pressure's shortest waves to about the
-/// same. Throws as solve_for_load(), and ContactError if the minimum is not reached in 20000
-/// products.
+/// same. Throws what solve_for_load() throws, and ContactError if the minimum is not reached in
+/// 20000 products.
 Solution solve_by_variational_method(const Problem& problem, double load,
                                      double tolerance = default_tolerance);
 

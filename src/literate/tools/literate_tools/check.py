@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lists what a reader or a referee would object to in a built paper: typed numbers, names that nothing prints, unknown names in
-branches that are not taken, undefined references, and with --paper, quotations that this text does not contain (pdftotext
-writes one). Exits with 1 if there are findings.
+branches that are not taken, undefined references, and with --paper, quotations that are not in the text of the quoted paper
+(which pdftotext can extract). Exits with 1 if there are findings.
 
 examples:
   literate check                               the paper in build/

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fills OUTPUT/site, a folder for any web server: the page, the PDF, the results and all data."""
+"""Fills OUTPUT/site, a folder that any web server can serve, with the page, the PDF, the results and all the data."""
 
 import html
 import shutil

@@ -41,7 +41,7 @@ Parameters read_case(const std::filesystem::path& file) {
   return parameters;
 }
 
-// The sum of two terms, with a bound of its rounding error.
+// The sum of two terms, with a bound on its rounding error.
 Estimate by_series(double angle) {
   const double series = short_series(angle);
   return {series, 1e-15 * series};

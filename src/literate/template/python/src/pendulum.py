@@ -5,7 +5,7 @@ import sys
 
 
 def relative_period(angle: float, n: int = 64) -> tuple[float, float]:
-    """Returns T/T₀ = (2/π) ∫₀^{π/2} dφ/√(1 − sin²(angle/2) sin²φ) and a bound of its error.
+    """Returns T/T₀ = (2/π) ∫₀^{π/2} dφ/√(1 − sin²(angle/2) sin²φ) and a bound on its error.
 
     The integrand is periodic and smooth, so the trapezoidal rule converges faster than any power of its step. The bound is
     the difference from half as many points plus rounding.
