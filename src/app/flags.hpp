@@ -31,8 +31,8 @@ class Flag {
   /// The text, or `other` without the flag.
   std::string text_or(const std::string& other) const { return is_given() ? text_ : other; }
 
-  /// The meaning of the given name, or `other` without the flag. Throws sys::InputError, which
-  /// lists the names, for an unknown one.
+  /// The meaning of the given name, or `other` without the flag. Throws sys::InputError for an
+  /// unknown name; the message lists the known ones.
   template <class Meaning>
   Meaning choice_or(Meaning other, const std::map<std::string, Meaning>& choices) const {
     if (!is_given()) return other;

@@ -18,8 +18,9 @@ inline constexpr double default_tolerance = 1e-10;
 /// about 90 bytes per node.
 ///
 /// The nodal pressures agree with matrix inversion to tolerance·(peak pressure). Throws
-/// InvalidQuantity for P ≤ 0 and a tolerance outside [min_tolerance, 0.01] or below rounding (the
-/// message says how much), ContactError if the contact does not settle, and what to_solution() does.
+/// InvalidQuantity for P ≤ 0, a tolerance outside [min_tolerance, 0.01] or below the rounding error
+/// (which the message gives), ContactError if the contact does not settle, and whatever
+/// to_solution() throws.
 Solution solve_by_fft(const Problem& problem, double line_load,
                       double tolerance = default_tolerance);
 

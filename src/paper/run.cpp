@@ -233,9 +233,9 @@ void claim_run(Document& document, const HalfSpaceCase& h, const PrintedFigure5&
   document.value("block.sound-model-apart", Value(least, percent(1)));
   document.claim(
       "robust-model",
-      {.route = "the inference, not the run: the fall of the two printed columns from the first "
-                "point to the last, which no datum changes; and sound models of the block under "
-                "the stated load, on a clamped bottom with sides clamped or on rollers",
+      {.route = "the inference, not the run: how far the two printed columns fall from the first "
+                "point to the last, whatever the datum; and sound models of the block under the "
+                "stated load, with the bottom clamped and the sides clamped or on rollers",
        .expected = Verdict::fails,
        .criteria = {Criterion::at_most("difference of the two falls, over that of the analytical "
                                        "column",

@@ -120,8 +120,8 @@ inline Outcome contact_closes_the_gap(const Program& program, const OwnNumbers& 
       if (contact.pressure[i] != 0) is_closed = is_closed && near(gap[i], 0, tolerance);
       if (contact.pressure[i] == 0) is_open = is_open && gap[i] >= -tolerance;
     }
-    tally.part(is_closed, at("is zero where there is pressure, fraction of your load", share));
-    tally.part(is_open, at("is not negative elsewhere, fraction of your load", share));
+    tally.part(is_closed, at("is zero where there is pressure, with load / (your load)", share));
+    tally.part(is_open, at("is not negative elsewhere, with load / (your load)", share));
   }
   return tally.outcome();
 }

@@ -64,7 +64,7 @@ Document computed(const Compute& compute, const fs::path& case_file) {
   } catch (const std::exception& error) {
     const std::string& last = document.last_registered();
     throw sys::ComputationError(fmt::format(
-        "{} ({})", error.what(), last.empty() ? "nothing is registered yet" : "after " + last));
+        "{} ({})", error.what(), last.empty() ? "before any registration" : "after " + last));
   }
   return document;
 }

@@ -30,8 +30,8 @@ class PrintedColumn {
   /// The unit in parentheses with the common power of ten, as LaTeX; empty without both.
   std::string unit() const;
 
-  /// A cell as LaTeX. Blanks pad all numbers to one width, so that a centred column aligns their
-  /// points.
+  /// A cell as LaTeX. Numbers are padded with spaces to the same width, so that their decimal
+  /// points align in a centred column.
   std::string cell(std::size_t row) const;
 
   /// A cell as plain text; a number includes the power of ten of the head.

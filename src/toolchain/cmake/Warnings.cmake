@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One INTERFACE target with all warning flags and their reasons. Without -Wnull-dereference, because at -O3 g++ 12 reports it
-# inside the streambuf iterators of libstdc++.
+# One INTERFACE target with all warning flags and their reasons. -Wnull-dereference is left out because, at -O3, g++ 12 reports
+# it inside the streambuf iterators of libstdc++.
 add_library(project_warnings INTERFACE)
 target_compile_options(project_warnings INTERFACE
   -Wall -Wextra -Wpedantic   # basic warnings

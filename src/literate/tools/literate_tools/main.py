@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the verb and runs it. Only the verb's module is imported, since a build starts many verbs."""
+"""Finds the verb and runs it. Imports only that verb's module, to start fast: a build runs many verbs."""
 
 import importlib
 import sys
