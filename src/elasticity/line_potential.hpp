@@ -13,7 +13,7 @@ namespace elasticity {
 ///
 ///   Φ(ξ) = ½[(ξ+1)² ln|ξ+1| − 2ξ² ln|ξ| + (ξ−1)² ln|ξ−1|] − 3/2,  Φ(0) = −3/2, Φ → ln|ξ|.
 ///
-/// Even. Accuracy: 1e-15 absolute times max(1, ln|ξ|) for |ξ| up to 1e9.
+/// Even. Accuracy: 4e-15 absolute times max(1, ln|ξ|) for |ξ| up to 1e9.
 double triangle_potential(double xi);
 
 /// Φ′(ξ) = (ξ+1) ln|ξ+1| − 2ξ ln|ξ| + (ξ−1) ln|ξ−1|, odd and finite everywhere. Accuracy: 1e-14

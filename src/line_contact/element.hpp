@@ -25,7 +25,7 @@ std::string_view name_of(Element element);
 ///               replace a smooth pressure (Sidi & Israeli 1988, J. Sci. Comput. 3, 201)
 ///
 /// Lengths in the logarithm are in spacings. Any finite k; dimensionless. Accuracy: relative 1e-14
-/// at whole k up to 1e9, absolute 1e-15 between, where T has a zero.
+/// at whole k up to 1e9, between them that of elasticity::triangle_potential.
 double influence_coefficient(Element element, double k);
 
 /// T(k+1) − T(k) for whole k ≥ 0. Accuracy: 1e-14 relative; subtracting two coefficients would lose

@@ -24,6 +24,12 @@ class Tidiness(unittest.TestCase):
                 target = folder / link if link else source_tree.ROOT / path
                 self.assertTrue(target.exists(), f"{document} names {link or path}")
 
+    def test_every_test_program_is_built(self):
+        for name in source_tree.files("tests"):
+            if name.endswith("_test.cpp"):
+                folder, _, test = name.removeprefix("tests/").removesuffix("_test.cpp").partition("/")
+                self.assertRegex(source_tree.text(f"tests/{folder}/CMakeLists.txt"), rf"[\s(]{re.escape(test)}[\s)]", name)
+
     def test_every_source_has_a_licence_line(self):
         for name in source_tree.files("src", "tests"):
             if name.endswith((".hpp", ".cpp", ".py", ".cmake")) and "/template/" not in name:
