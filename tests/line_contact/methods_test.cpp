@@ -96,6 +96,33 @@ BOOST_AUTO_TEST_CASE(all_methods_find_the_pressure_gap_and_approach_of_matrix_in
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_needle_that_coarser_grids_miss_comes_into_contact) {
+  // Beside a cylinder, three spacings of the finest grid wide and as high as the cylinder's lowest
+  // point; the coarsest grid has a spacing eight times as large.
+  const double a = hertz.half_width();
+  const double at = 2.003 * a, half_width = 0.01 * a;
+  std::vector<double> x, gap;
+  for (int i = -140; i <= 140; ++i) {
+    const double here = 0.025 * i * a;
+    if (std::abs(here - at) < 0.02 * a) {
+      for (const int side : {-1, 0, 1}) {
+        x.push_back(at + side * half_width);
+        gap.push_back(side == 0 ? 0 : curvature / 2 * at * at);
+      }
+      continue;
+    }
+    x.push_back(here);
+    gap.push_back(curvature / 2 * here * here);
+  }
+  const Problem problem =
+      problem_of({"needle", Profile::tabulated(x, gap), 6 * a}, 1000, Element::triangular);
+  const VectorXd inverted = solve_by_matrix_inversion(problem, load).pressure;
+  const auto needle = static_cast<Index>((at - problem.grid.begin()) / problem.grid.spacing);
+
+  BOOST_TEST(inverted.segment(needle - 2, 5).maxCoeff() > 0);
+  BOOST_TEST(difference(solve_by_fft(problem, load, 1e-13).pressure, inverted) < 1e-10);
+}
+
 BOOST_AUTO_TEST_CASE(the_conditions_of_contact_hold) {
   for_each_solution(200, [](const Problem& problem, const Method& method) {
     const Solution s = method.solve(problem, load);
