@@ -26,7 +26,7 @@ $(if $(unknown),$(error there is no variable '$(unknown)'; they are $(variables)
 export $(variables)
 
 # Only one make runs at a time. If the checkout was moved, CMake starts from scratch; Ninja detects all other changes.
-lock = mkdir -p build && exec 9>build/.lock && { flock --nonblock 9 || { echo 'waiting for the make that runs here' >&2; flock 9; }; }
+lock = mkdir -p build && exec 9>build/.lock && { flock --nonblock 9 || { echo 'waiting for the other make in this folder' >&2; flock 9; }; }
 configure = $(lock); [ "$$(cat build/configured 2>/dev/null)" = "$$PWD" ] || { \
 	  cmake --preset release >build/configure.log 2>&1 || cmake --fresh --preset release >build/configure.log 2>&1 || { \
 	    cat build/configure.log >&2; exit 2; }; \

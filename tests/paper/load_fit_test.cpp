@@ -4,6 +4,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "papers_case.hpp"
 
 BOOST_AUTO_TEST_SUITE(load_fit_test)
@@ -40,6 +44,18 @@ struct Made {
 };
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(the_largest_shear_is_that_of_closed_forms) {
+  // Johnson (1985): p/π beneath the ends of a strip, sec. 2.5; 0.25 p₀ beneath a semi-ellipse, at
+  // x = 0.87 a and z = 0.5 a, sec. 4.2.
+  const auto strip = [](double) { return 1.0; };
+  const auto ellipse = [](double t) { return std::sqrt(std::max(0.0, 1 - t * t)); };
+
+  BOOST_TEST(FallingPressure(strip, 800, 800, 0.01).largest_shear() == 800 / std::numbers::pi,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(FallingPressure(ellipse, 1000, 0, 0.01).largest_shear() == 250,
+             boost::test_tools::tolerance(2e-3));
+}
 
 BOOST_AUTO_TEST_CASE(a_linear_fall_returns_its_pressures_and_its_half_width) {
   const LoadFitting fitting = Made(FallingPressure(line.f, 1017, 583, 0.0093)).fitting();
