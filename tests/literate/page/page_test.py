@@ -152,7 +152,9 @@ class Pages(Case):
                 ("a drawing as SVG with its caption", r'<img src="data:image/svg[^>]* alt="The period over that of small swings, T/T0 \."')):
             self.assertTrue(re.search(pattern, page, re.DOTALL), what)
         self.assertNotIn("expl3", (paper.output / "page/latexml.log").read_text(encoding="utf-8"))
-        self.assertEqual(paper.html().returncode, 0)
+        with tempfile.NamedTemporaryFile() as of_others:
+            self.assertEqual(paper.html().returncode, 0)
+            self.assertTrue(Path(of_others.name).exists(), "an empty temporary file of a different program was deleted")
         self.assertEqual(paper.page.read_text(encoding="utf-8"), page)
 
     def test_two_columns(self):

@@ -113,8 +113,9 @@ def errors_in(log: str, settings: Settings) -> list[str]:
 
 def tool_output(command: list, folder: Path, settings: Settings) -> str:
     """Runs a tool and returns its output. If it fails, the message is its first line that looks like an error."""
-    ran = subprocess.run([str(word) for word in command], cwd=folder, env=environment(settings), stdin=subprocess.DEVNULL,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    # latexmlpost deletes the empty files of the folder for temporary files, also those of a compiler that runs.
+    ran = subprocess.run([str(word) for word in command], cwd=folder, env=environment(settings) | {"TMPDIR": str(folder)},
+                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     if ran.returncode:
         found = re.search(r"^(!|\S+:\d+: ).*", ran.stdout, re.MULTILINE)
         raise Failure(f"{Path(command[0]).name} failed: {found[0] if found else ran.stdout.strip()[-500:]}", 3)
