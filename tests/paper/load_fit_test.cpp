@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "papers_case.hpp"
+#include "parameters/papers_case.hpp"
 
 BOOST_AUTO_TEST_SUITE(load_fit_test)
 

@@ -8,7 +8,7 @@
 #include <regex>
 #include <set>
 
-#include "papers_case.hpp"
+#include "parameters/papers_case.hpp"
 
 BOOST_AUTO_TEST_SUITE(paper_test)
 

@@ -2,7 +2,7 @@
 #include "paper/printed_data.hpp"
 
 #include "config/table.hpp"
-#include "papers_case.hpp"
+#include "parameters/papers_case.hpp"
 
 BOOST_AUTO_TEST_SUITE(printed_data_test)
 

@@ -2,11 +2,9 @@
 #include "parameters/case.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <fstream>
-#include <sstream>
 #include <string>
 
-#include "temporary_folder.hpp"
+#include "papers_case.hpp"
 
 BOOST_AUTO_TEST_SUITE(case_test)
 
@@ -15,25 +13,6 @@ using parameters::CaseFile;
 using parameters::read_case;
 
 namespace {
-
-std::string papers_text() {
-  std::ostringstream text;
-  text << std::ifstream(PAPERS_CASE).rdbuf();
-  return text.str();
-}
-
-// The paper's case with one change, or without the tables [begin] up to [end].
-std::string with(const std::string& before, const std::string& after) {
-  std::string text = papers_text();
-  const auto at = text.find(before);
-  BOOST_TEST_REQUIRE(at != text.npos, before);
-  return text.replace(at, before.size(), after);
-}
-
-std::string without(const std::string& begin, const std::string& end) {
-  const std::string text = papers_text();
-  return text.substr(0, text.find("\n[" + begin)) + text.substr(text.find("\n[" + end));
-}
 
 template <class Read = Case (*)(const std::filesystem::path&)>
 auto read(const std::string& text, Read reader = &read_case) {
@@ -54,7 +33,7 @@ void check_refused(const std::string& text, const std::string& says, Read reader
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_papers_case_has_the_numbers_of_the_paper) {
-  const Case c = read_case(PAPERS_CASE);
+  const Case c = case_of(papers_text());
 
   BOOST_TEST(c.units.name == "in-lbf");
   BOOST_TEST(c.half_space.material.young() == 30e6);
@@ -81,20 +60,24 @@ BOOST_AUTO_TEST_CASE(a_reader_takes_the_tables_that_it_needs) {
   check_refused(contact_alone, "half_space: missing",
                 [](const auto& file) { return CaseFile(file).half_space(); });
 
-  BOOST_TEST(!read(without("point_contact]", "block]")).point_contact.has_value());
+  BOOST_TEST(
+      !read(without(papers_text(), "\n[point_contact]", "\n[block]")).point_contact.has_value());
   BOOST_TEST(!read(papers_text().substr(0, papers_text().find("\n[printed]"))).printed.has_value());
-  BOOST_TEST(read(with("[printed.tri_dist]", "[printed.other]")).printed.value().has("other"));
+  BOOST_TEST(read(with(papers_text(), "[printed.tri_dist]", "[printed.other]"))
+                 .printed.value()
+                 .has("other"));
 }
 
 BOOST_AUTO_TEST_CASE(radii_points_and_units_may_differ) {
   const auto radius2 = [](const std::string& other) {
-    return read(with("radius = {value = 3, unit = \"in\"}", "radius = " + other));
+    return read(with(papers_text(), "radius = {value = 3, unit = \"in\"}", "radius = " + other));
   };
   BOOST_TEST(radius2("\"plane\"").contact.cylinders.relative_curvature() == 1);
   BOOST_TEST(radius2("{value = -2, unit = \"in\"}").contact.cylinders.relative_curvature() == 0.5);
-  const auto left = with("first = {value = 0,", "first = {value = -0.05,");
+  const auto left = with(papers_text(), "first = {value = 0,", "first = {value = -0.05,");
   BOOST_TEST(read(left).half_space.farthest_point() == 0.05);
-  const auto ksi = with("{value = 30e6, unit = \"psi\"}", "{value = 30e3, unit = \"ksi\"}");
+  const auto ksi =
+      with(papers_text(), "{value = 30e6, unit = \"psi\"}", "{value = 30e3, unit = \"ksi\"}");
   BOOST_TEST(read(ksi).half_space.material.young() == 30e6);
 }
 
@@ -145,7 +128,7 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_rejected_by_key) {
   };
   for (const auto& [before, after, says] : refusals) {
     BOOST_TEST_CONTEXT(after) {
-      check_refused(with(before, after), says);
+      check_refused(with(papers_text(), before, after), says);
     }
   }
 }

@@ -9,7 +9,7 @@ import source_tree
 
 MECHANICS = {"numerics", "elasticity", "contact", "line_contact", "point_contact", "block"}
 # Folders without a library.
-NO_LIBRARY = {"app", "report_app", "judge", "course", "toolchain"}
+NO_LIBRARY = {"app", "course", "toolchain"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 LATEX = re.compile(r"\\(begin|end|frac|sqrt|text\w*|math\w*|emph|cite|ref|label|eqref|val|tab|fig|claim|sigma|pi|int|sum|cdot)\b")
 

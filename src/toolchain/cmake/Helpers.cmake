@@ -37,18 +37,19 @@ function(compile_without_optimising target)
 endfunction()
 
 # export_headers(target folder [header …]) lets targets that link this one include "folder/name.hpp": the headers named here, or
-# all headers in this folder and below. They cannot include headers of other folders, so the compiler enforces the architecture.
+# all headers in this folder of src and below. They cannot include headers of other folders, so the compiler enforces the architecture.
 # The exported folder contains links, so that each header stays next to its source.
 function(export_headers target folder)
   set(exported "${PROJECT_BINARY_DIR}/include/${target}")
+  set(source "${HALFSPACE_ROOT}/src/${folder}")
   if(ARGN)
     file(MAKE_DIRECTORY "${exported}/${folder}")
     foreach(header IN LISTS ARGN)
-      file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}/${header}" "${exported}/${folder}/${header}" SYMBOLIC)
+      file(CREATE_LINK "${source}/${header}" "${exported}/${folder}/${header}" SYMBOLIC)
     endforeach()
   else()
     file(MAKE_DIRECTORY "${exported}")
-    file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${exported}/${folder}" SYMBOLIC)
+    file(CREATE_LINK "${source}" "${exported}/${folder}" SYMBOLIC)
   endif()
   get_target_property(type ${target} TYPE)
   set(scope PUBLIC)
@@ -59,23 +60,24 @@ function(export_headers target folder)
 endfunction()
 
 # add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] SOURCES … LINK … PRIVATE_LINK …) adds the
-# library of one folder of src. LINK and PRIVATE_LINK define the architecture: a folder can include only headers of libraries that
-# it links. HEADERS lists the exported headers, if not all. ROOMS lists the subfolders in order; each may use only those before it
-# (tests/toolchain/architecture_test.py). NO_HEAVY_COMPUTING: see compile_without_optimising. The presets release, bench and
-# sanitize compile up to eight files of a folder together (CMAKE_UNITY_BUILD), twelve in libraries that compute, which halves the
-# time. dev and tidy compile each file separately, which verifies its includes.
+# library of the folder src/name, or src/folder. LINK and PRIVATE_LINK define the architecture: a folder can include only headers
+# of libraries that it links. HEADERS lists the exported headers, if not all. ROOMS lists the subfolders in order; each may use
+# only those before it (tests/toolchain/architecture_test.py). NO_HEAVY_COMPUTING: see compile_without_optimising. The presets
+# release, bench and sanitize compile up to eight files of a folder together (CMAKE_UNITY_BUILD), twelve in libraries that compute,
+# which halves the time. dev and tidy compile each file separately, which verifies its includes.
 #
 # HALFSPACE_PREFIX, if set, precedes the name of the target. It avoids name clashes within a different project.
 function(add_folder_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "NO_HEAVY_COMPUTING" "FOLDER" "HEADERS;ROOMS;SOURCES;LINK;PRIVATE_LINK")
   if(NOT arg_FOLDER)
-    cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME arg_FOLDER)
+    set(arg_FOLDER ${name})
   endif()
   list(JOIN arg_ROOMS " " rooms)
   list(JOIN arg_LINK " " links)
   list(JOIN arg_PRIVATE_LINK " " private_links)
   set_property(GLOBAL APPEND PROPERTY HALFSPACE_ARCHITECTURE "${name}|${arg_FOLDER}|${links} ${private_links}|${rooms}")
   set(target "${HALFSPACE_PREFIX}${name}")
+  list(TRANSFORM arg_SOURCES PREPEND "${HALFSPACE_ROOT}/src/${arg_FOLDER}/")
   add_library(${target} STATIC ${arg_SOURCES})
   export_headers(${target} ${arg_FOLDER} ${arg_HEADERS})
   target_compile_features(${target} PUBLIC cxx_std_20)
