@@ -9,9 +9,8 @@
 
 #include "app/csv_files.hpp"
 #include "command_line/stopwatch.hpp"
-#include "contact/limits.hpp"
-#include "line_contact/dense_methods.hpp"
-#include "line_contact/solver.hpp"
+#include "contact/accuracy.hpp"
+#include "line_contact/methods.hpp"
 #include "system/error.hpp"
 
 namespace app {

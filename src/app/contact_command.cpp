@@ -6,7 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/contact.hpp"
-#include "contact/limits.hpp"
+#include "contact/accuracy.hpp"
 #include "line_contact/element.hpp"
 
 namespace app {

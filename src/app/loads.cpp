@@ -15,7 +15,6 @@
 
 #include "app/csv_files.hpp"
 #include "config/units.hpp"
-#include "elasticity/concentrated_load.hpp"
 #include "elasticity/load_shapes.hpp"
 #include "system/error.hpp"
 

@@ -10,8 +10,8 @@
 #include "app/flags.hpp"
 #include "config/units.hpp"
 #include "elasticity/load.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/material.hpp"
-#include "elasticity/triangular_load.hpp"
 
 namespace app {
 

@@ -8,7 +8,7 @@
 #include "app/commands.hpp"
 #include "app/contact.hpp"
 #include "app/loads.hpp"
-#include "elasticity/stress_beneath.hpp"
+#include "elasticity/stress.hpp"
 #include "system/error.hpp"
 
 namespace app {

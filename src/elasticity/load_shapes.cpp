@@ -5,11 +5,18 @@
 #include <cmath>
 
 #include "elasticity/line_potential.hpp"
-#include "elasticity/triangular_load.hpp"
 #include "system/require.hpp"
 
 namespace elasticity {
 namespace {
+
+// u_z of a pressure whose potential is a function of x/length.
+double displacement(const Material& material, double line_load, double (*potential)(double xi),
+                    double length, double x, double datum) {
+  const double here = potential(sys::require_finite("x", x) / length);
+  const double there = potential(sys::require_finite("datum", datum) / length);
+  return -material.integral_compliance() * line_load * (here - there);
+}
 
 // Returns (1 − e) f(triangle) + e f(uniform load). For e = 0 the uniform load, whose gradient is
 // infinite at the edge, is not evaluated.
@@ -22,7 +29,45 @@ double superposed(const LinearFall& load, const Function& function) {
          e * function(UniformLoad(load.peak_pressure(), load.half_width()));
 }
 
+double off_the_force(const char* quantity, double x) {
+  if (sys::require_finite(quantity, x) == 0) {
+    throw sys::InvalidQuantity(quantity, x, "away from the concentrated force");
+  }
+  return x;
+}
+
 }  // namespace
+
+TriangularLoad::operator Load() const {
+  const double p0 = peak_pressure();
+  const double a = half_width();
+  Load load;
+  load.normal = numerics::PiecewiseFunction({
+      {-a, 0, [=](double s) { return p0 / a * (a + s); }},
+      {0, a, [=](double s) { return p0 / a * (a - s); }},
+  });
+  return load;
+}
+
+double normal_gradient(const Material& material, const TriangularLoad& load, double x) {
+  const double xi = std::abs(sys::require_finite("x", x)) / load.half_width();
+  const double magnitude =
+      material.integral_compliance() * load.peak_pressure() * triangle_gradient(xi);
+  return x > 0 ? -magnitude : magnitude;
+}
+
+double normal_displacement(const Material& material, const TriangularLoad& load, double x,
+                           double datum) {
+  return displacement(material, load.line_load(), triangle_potential, load.half_width(), x, datum);
+}
+
+double tangential_displacement(const Material& material, const TriangularLoad& load, double x) {
+  // The resultant between −|x| and |x| is P (2ξ − ξ²) with ξ = min(|x|/a, 1).
+  const double xi = std::min(1.0, std::abs(sys::require_finite("x", x)) / load.half_width());
+  const double between = load.line_load() * xi * (2 - xi);
+  const double magnitude = material.local_compliance() / 2 * between;
+  return x > 0 ? -magnitude : magnitude;
+}
 
 UniformLoad::operator Load() const {
   Load load;
@@ -49,10 +94,7 @@ double normal_gradient(const Material& material, const UniformLoad& load, double
 
 double normal_displacement(const Material& material, const UniformLoad& load, double x,
                            double datum) {
-  const double width = 2 * load.half_width();
-  const double here = strip_potential(sys::require_finite("x", x) / width);
-  const double there = strip_potential(sys::require_finite("datum", datum) / width);
-  return -material.integral_compliance() * load.line_load() * (here - there);
+  return displacement(material, load.line_load(), strip_potential, 2 * load.half_width(), x, datum);
 }
 
 double tangential_displacement(const Material& material, const UniformLoad& load, double x) {
@@ -89,6 +131,25 @@ double normal_displacement(const Material& material, const LinearFall& load, dou
 double tangential_displacement(const Material& material, const LinearFall& load, double x) {
   return superposed(load,
                     [&](const auto& part) { return tangential_displacement(material, part, x); });
+}
+
+ConcentratedLoad::ConcentratedLoad(double line_load)
+    : line_load_(sys::require_positive("line_load", line_load)) {}
+
+ConcentratedLoad::operator Load() const {
+  Load load;
+  load.forces = {{0, line_load_}};
+  return load;
+}
+
+double normal_gradient(const Material& material, const ConcentratedLoad& load, double x) {
+  return -material.integral_compliance() * load.line_load() / off_the_force("x", x);
+}
+
+double normal_displacement(const Material& material, const ConcentratedLoad& load, double x,
+                           double datum) {
+  const double ratio = off_the_force("x", x) / off_the_force("datum", datum);
+  return -material.integral_compliance() * load.line_load() * std::log(std::abs(ratio));
 }
 
 }  // namespace elasticity

@@ -3,7 +3,7 @@
 
 #include "elasticity/material.hpp"
 #include "elasticity/stress.hpp"
-#include "line_contact/profile.hpp"
+#include "line_contact/problem.hpp"
 
 namespace line_contact {
 

@@ -10,14 +10,10 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using numerics::product;
 
 using Complex = std::complex<double>;
 using Spectrum = std::span<Complex>;
-
-// Multiplies without the checks for infinities that make operator* slow.
-Complex product(const Complex& a, const Complex& b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 std::size_t size_of(Index n) {
   return static_cast<std::size_t>(n);

@@ -8,10 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "elasticity/concentrated_load.hpp"
 #include "elasticity/load_shapes.hpp"
-#include "elasticity/stress_beneath.hpp"
-#include "elasticity/triangular_load.hpp"
+#include "elasticity/stress.hpp"
 #include "system/require.hpp"
 
 namespace line_contact {

@@ -4,8 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "contact/limits.hpp"
-#include "contact/solution.hpp"
+#include "contact/accuracy.hpp"
 #include "elasticity/stress.hpp"
 #include "line_contact/problem.hpp"
 

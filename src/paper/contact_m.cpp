@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "contact/contact_search.hpp"
-#include "elasticity/triangular_load.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "numerics/dense_lu.hpp"
 #include "paper/prelude.hpp"
 

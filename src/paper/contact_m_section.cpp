@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "line_contact/dense_methods.hpp"
+#include "line_contact/methods.hpp"
 #include "paper/contact_m.hpp"
 #include "paper/conventions.hpp"
 #include "paper/paper.hpp"

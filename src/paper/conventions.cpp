@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elasticity/triangular_load.hpp"
+#include "elasticity/load_shapes.hpp"
 
 namespace paper {
 

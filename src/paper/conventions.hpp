@@ -42,7 +42,7 @@ inline std::vector<double> values_of(const std::vector<PrintedNumber>& numbers) 
   return values;
 }
 
-/// u_z by eq. (3) and its gradient, with the accuracy stated in elasticity/triangular_load.hpp.
+/// u_z by eq. (3) and its gradient, with the accuracy stated in elasticity/load_shapes.hpp.
 Estimate displacement(const HalfSpaceCase& c, double x);
 Estimate gradient(const HalfSpaceCase& c, double x);
 

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "elasticity/material.hpp"
-#include "line_contact/dense_methods.hpp"
-#include "line_contact/solver.hpp"
+#include "line_contact/methods.hpp"
 #include "paper/conventions.hpp"
 #include "paper/paper.hpp"
 #include "paper/spheres.hpp"

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "elasticity/stress_beneath.hpp"
+#include "elasticity/stress.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/element.hpp"
+#include "line_contact/methods.hpp"
 #include "line_contact/solution.hpp"
-#include "line_contact/solver.hpp"
 #include "numerics/fit.hpp"
 #include "paper/conventions.hpp"
 #include "paper/paper.hpp"

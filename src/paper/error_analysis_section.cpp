@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "elasticity/triangular_load.hpp"
 #include "paper/conventions.hpp"
 #include "paper/paper.hpp"
 

@@ -5,8 +5,7 @@
 #include <numbers>
 
 #include "elasticity/load_shapes.hpp"
-#include "elasticity/stress_beneath.hpp"
-#include "elasticity/triangular_load.hpp"
+#include "elasticity/stress.hpp"
 
 namespace paper {
 namespace {

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <vector>
 
-#include "elasticity/concentrated_load.hpp"
 #include "elasticity/load_shapes.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "paper/conventions.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "paper/prelude.hpp"
-#include "point_contact/closed_forms/spheres.hpp"
-#include "point_contact/solver/solution.hpp"
+#include "point_contact/hertz.hpp"
+#include "point_contact/solution.hpp"
 
 namespace paper {
 

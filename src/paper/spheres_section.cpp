@@ -6,7 +6,7 @@
 
 #include "paper/paper.hpp"
 #include "paper/spheres.hpp"
-#include "point_contact/solver/methods.hpp"
+#include "point_contact/methods.hpp"
 
 namespace paper {
 namespace {

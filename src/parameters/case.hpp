@@ -10,8 +10,8 @@
 #include "block/rectangle.hpp"
 #include "config/table.hpp"
 #include "config/units.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/material.hpp"
-#include "elasticity/triangular_load.hpp"
 #include "line_contact/cylinders.hpp"
 
 namespace parameters {

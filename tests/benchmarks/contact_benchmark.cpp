@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "line_contact/cylinders.hpp"
-#include "line_contact/dense_methods.hpp"
-#include "line_contact/solver.hpp"
+#include "line_contact/methods.hpp"
 #include "numerics/fit.hpp"
 
 namespace {

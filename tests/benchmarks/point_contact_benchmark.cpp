@@ -11,8 +11,8 @@
 #include <cmath>
 #include <vector>
 
-#include "point_contact/closed_forms/spheres.hpp"
-#include "point_contact/solver/methods.hpp"
+#include "point_contact/hertz.hpp"
+#include "point_contact/methods.hpp"
 
 namespace {
 

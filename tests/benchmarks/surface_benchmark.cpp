@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "elasticity/triangular_load.hpp"
 #include "random_inputs.hpp"
 
 namespace {

@@ -8,7 +8,6 @@
 
 #include "block/analysis.hpp"
 #include "elasticity/load_shapes.hpp"
-#include "elasticity/triangular_load.hpp"
 
 /// The block, material and printed displacements of Ruggiero (2001), Appendix 2, in inches and psi.
 namespace paper_block {

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "elasticity/concentrated_load.hpp"
 #include "elasticity/load_shapes.hpp"
-#include "elasticity/triangular_load.hpp"
 #include "multiprecision.hpp"
 #include "random_inputs.hpp"
 #include "tolerances.hpp"

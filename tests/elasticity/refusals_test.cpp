@@ -6,11 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "elasticity/concentrated_load.hpp"
 #include "elasticity/load_shapes.hpp"
-#include "elasticity/stress_beneath.hpp"
+#include "elasticity/stress.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "elasticity/triangular_load.hpp"
 
 BOOST_AUTO_TEST_SUITE(refusals_test)
 

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "elasticity/concentrated_load.hpp"
 #include "elasticity/load_shapes.hpp"
-#include "elasticity/triangular_load.hpp"
 #include "random_inputs.hpp"
 #include "tolerances.hpp"
 

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "line_contact/cases.hpp"
-#include "line_contact/dense_methods.hpp"
-#include "line_contact/solver.hpp"
+#include "line_contact/methods.hpp"
 #include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(methods_test)

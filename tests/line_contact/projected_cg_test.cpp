@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "line_contact/profile.hpp"
+#include "line_contact/problem.hpp"
 #include "system/require.hpp"
 #include "tolerances.hpp"
 

@@ -6,8 +6,7 @@
 #include <limits>
 
 #include "line_contact/cases.hpp"
-#include "line_contact/dense_methods.hpp"
-#include "line_contact/solver.hpp"
+#include "line_contact/methods.hpp"
 
 BOOST_AUTO_TEST_SUITE(refusals_test)
 

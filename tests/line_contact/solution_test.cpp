@@ -7,8 +7,7 @@
 #include "elasticity/load_shapes.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "line_contact/cases.hpp"
-#include "line_contact/dense_methods.hpp"
-#include "line_contact/solver.hpp"
+#include "line_contact/methods.hpp"
 #include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(solution_test)

@@ -9,7 +9,7 @@
 
 #include "contact/contact_search.hpp"
 #include "line_contact/cylinders.hpp"
-#include "line_contact/dense_methods.hpp"
+#include "line_contact/methods.hpp"
 #include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(contact_m_test)

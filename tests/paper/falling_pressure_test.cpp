@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "elasticity/triangular_load.hpp"
 
 BOOST_AUTO_TEST_SUITE(falling_pressure_test)
 

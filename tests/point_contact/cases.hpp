@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "point_contact/closed_forms/hertz_elliptic.hpp"
-#include "point_contact/closed_forms/spheres.hpp"
-#include "point_contact/solver/problem.hpp"
+#include "point_contact/hertz.hpp"
+#include "point_contact/problem.hpp"
 
 namespace point_cases {
 

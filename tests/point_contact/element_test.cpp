@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/elements/element.hpp"
+#include "point_contact/element.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

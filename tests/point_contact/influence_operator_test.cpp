@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/solver/influence_operator.hpp"
+#include "point_contact/influence_operator.hpp"
 
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>

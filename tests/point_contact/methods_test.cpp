@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two methods and matrix inversion, two kinds of elements, one contact.
-#include "point_contact/solver/methods.hpp"
+#include "point_contact/methods.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/solver/projected_cg.hpp"
+#include "point_contact/projected_cg.hpp"
 
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "point_contact/cases.hpp"
-#include "point_contact/solver/methods.hpp"
+#include "point_contact/methods.hpp"
 
 BOOST_AUTO_TEST_SUITE(refusals_test)
 

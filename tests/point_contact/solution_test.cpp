@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_contact/solver/solution.hpp"
+#include "point_contact/solution.hpp"
 
 #include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "point_contact/cases.hpp"
-#include "point_contact/solver/methods.hpp"
+#include "point_contact/methods.hpp"
 #include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(solution_test)

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "elasticity/load.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "elasticity/triangular_load.hpp"
 #include "line_contact/cylinders.hpp"
-#include "line_contact/dense_methods.hpp"
 #include "line_contact/element.hpp"
+#include "line_contact/methods.hpp"
 
 namespace assignment {
 namespace {

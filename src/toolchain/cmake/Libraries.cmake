@@ -34,28 +34,23 @@ add_folder_library(command_line NO_HEAVY_COMPUTING
 # The mechanics
 add_folder_library(numerics
   SOURCES
-    complex_fourier.cpp dense_lu.cpp fit.cpp kernel_integrals.cpp piecewise.cpp quadrature.cpp real_fourier.cpp
+    dense_lu.cpp fit.cpp fourier.cpp kernel_integrals.cpp piecewise.cpp quadrature.cpp
   LINK errors estimate Eigen3::Eigen GSL::gsl ${FFTW3_LIBRARIES}
   PRIVATE_LINK fmt::fmt)
 add_folder_library(elasticity
   SOURCES
-    concentrated_load.cpp line_potential.cpp load.cpp load_shapes.cpp material.cpp stress.cpp stress_beneath.cpp
-    surface_quadrature.cpp triangular_load.cpp
+    line_potential.cpp load.cpp load_shapes.cpp material.cpp stress.cpp surface_quadrature.cpp
   LINK numerics)
 add_folder_library(contact
-  SOURCES contact_search.cpp limits.cpp reference_methods.cpp solution.cpp
+  SOURCES accuracy.cpp contact_search.cpp reference_methods.cpp
   LINK numerics Eigen3::Eigen fmt::fmt)
 add_folder_library(line_contact
   SOURCES
-    cylinders.cpp dense_methods.cpp element.cpp influence_operator.cpp nested_grids.cpp problem.cpp profile.cpp
-    projected_cg.cpp prolongation.cpp solution.cpp solver.cpp
+    cylinders.cpp element.cpp influence_operator.cpp methods.cpp nested_grids.cpp problem.cpp projected_cg.cpp solution.cpp
   LINK contact elasticity Eigen3::Eigen)
 add_folder_library(point_contact
-  ROOMS elements bodies closed_forms solver
   SOURCES
-    bodies/profile.cpp closed_forms/hertz_elliptic.cpp closed_forms/spheres.cpp elements/edge.cpp elements/element.cpp
-    solver/grid.cpp solver/influence_operator.cpp solver/methods.cpp solver/nested_grids.cpp solver/plane_filter.cpp
-    solver/problem.cpp solver/projected_cg.cpp solver/prolongation.cpp solver/solution.cpp
+    element.cpp hertz.cpp influence_operator.cpp methods.cpp plane_filter.cpp problem.cpp projected_cg.cpp solution.cpp
   LINK contact numerics Eigen3::Eigen
   PRIVATE_LINK fmt::fmt)
 add_folder_library(block
