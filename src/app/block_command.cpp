@@ -8,8 +8,8 @@
 #include "app/loads.hpp"
 #include "app/output.hpp"
 #include "block/analysis.hpp"
-#include "block/measures.hpp"
 #include "block/rectangle.hpp"
+#include "block/solution.hpp"
 #include "command_line/stopwatch.hpp"
 #include "system/error.hpp"
 

@@ -15,7 +15,7 @@
 
 #include "app/csv_files.hpp"
 #include "config/units.hpp"
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "system/error.hpp"
 
 namespace app {

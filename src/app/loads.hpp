@@ -9,8 +9,7 @@
 
 #include "app/flags.hpp"
 #include "config/units.hpp"
-#include "elasticity/load.hpp"
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/material.hpp"
 
 namespace app {

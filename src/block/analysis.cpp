@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "block/measures.hpp"
+#include "block/solution.hpp"
 
 namespace block {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "block/discretization.hpp"
 #include "block/factorization.hpp"
+#include "block/mesh.hpp"
 #include "block/rectangle.hpp"
 #include "numerics/estimate.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "block/nodal_forces.hpp"
+#include "block/model.hpp"
 
 namespace block {
 namespace {

@@ -9,7 +9,7 @@
 #include "block/model.hpp"
 #include "block/rectangle.hpp"
 #include "block/solution.hpp"
-#include "elasticity/load.hpp"
+#include "elasticity/loads.hpp"
 
 namespace block {
 

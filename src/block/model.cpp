@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/model.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
+
+#include "system/require.hpp"
 
 namespace block {
 
@@ -60,6 +63,46 @@ Eigen::VectorXd Model::internal_forces(const Eigen::VectorXd& displacements) con
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const auto node = static_cast<Index>(k) / 2;
       forces[numbers[k]] += f(node % n, static_cast<Index>(k) % 2 * n + node / n);
+    }
+  }
+  return forces;
+}
+
+namespace {
+
+// Returns ∫ N_i(x) p(x) dx over the part of an element's top edge that one piece of the pressure
+// covers.
+Eigen::VectorXd edge_forces(const LobattoBasis& basis, const Element& element,
+                            const numerics::Piece& piece, const GaussRule& rule) {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(basis.order() + 1);
+  const double begin = std::max(piece.begin, element.x0);
+  const double end = std::min(piece.end, element.x1);
+  if (begin >= end) return forces;
+  for (Index k = 0; k < rule.points.size(); ++k) {
+    const double t = (1 + rule.points[k]) / 2;
+    const double x = begin + (end - begin) * t * t * (3 - 2 * t);
+    const double dx = (end - begin) * 6 * t * (1 - t) * rule.weights[k] / 2;
+    const double xi = 2 * (x - element.x0) / element.width() - 1;
+    forces += dx * piece.value(x) * basis.values(xi);
+  }
+  return forces;
+}
+
+}  // namespace
+
+Eigen::VectorXd surface_forces(const Mesh& mesh, const LobattoBasis& basis,
+                               const elasticity::Load& load) {
+  require_inside(load, mesh.x_lines().front(), mesh.x_lines().back());
+
+  // In t the integrand has three times the degree of N_i and of a quartic pressure, plus two from
+  // dx/dt; a rule of n points is exact to degree 2n − 1
+  const GaussRule rule = gauss_rule(2 * mesh.order() + 10);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * mesh.n_nodes());
+  for (Index column = 0; column < mesh.n_columns(); ++column) {
+    const Element element = mesh.element(column);
+    for (const numerics::Piece& piece : load.normal.pieces()) {
+      const Eigen::VectorXd part = edge_forces(basis, element, piece, rule);
+      for (int i = 0; i <= mesh.order(); ++i) forces[2 * mesh.node(element, i, 0) + 1] += part[i];
     }
   }
   return forces;

@@ -8,6 +8,7 @@
 #include "block/element_stiffness.hpp"
 #include "block/lobatto_basis.hpp"
 #include "block/mesh.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/material.hpp"
 
 namespace block {
@@ -48,5 +49,15 @@ class Model {
   UnknownSplit split_;
   std::vector<std::shared_ptr<const CondensedStiffness>> condensed_;  // shared by equal aspects
 };
+
+/// The consistent nodal forces ∫ N_i(x) p dx of a load on the top of the block.
+///
+/// Size 2·n_nodes, unknown 2·node + c for the component c (0: x, 1: z), force per unit thickness.
+/// The quadrature is split at the load's kinks and the elements' corners and graded towards both
+/// ends of each part by x ∝ 3t² − 2t³. Accuracy: rounding for polynomial pressures up to degree 4,
+/// 1e-12 relative for a pressure that rises like a square root at an end of a piece. Throws what
+/// require_inside throws.
+Eigen::VectorXd surface_forces(const Mesh& mesh, const LobattoBasis& basis,
+                               const elasticity::Load& load);
 
 }  // namespace block

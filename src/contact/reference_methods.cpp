@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "contact/contact_search.hpp"
-#include "numerics/dense_lu.hpp"
+#include "numerics/fit.hpp"
 
 namespace contact {
 namespace {
@@ -46,7 +46,7 @@ ContactLoads solve_for_contact(const Equations& equations, const Influence& infl
     right_side[j] = equations.initial_gap[at(contact, j)];
   }
   matrix(n, n) = 0;
-  const VectorXd unknowns = numerics::DenseLu(matrix).solve(right_side);
+  const VectorXd unknowns = numerics::solve(matrix, right_side);
 
   ContactLoads loads{VectorXd::Zero(equations.initial_gap.size()), {}, unknowns[n]};
   for (Index j = 0; j < n; ++j) loads.phi[at(contact, j)] = unknowns[j];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "elasticity/load.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/material.hpp"
 #include "numerics/estimate.hpp"
 #include "numerics/kernel_integrals.hpp"

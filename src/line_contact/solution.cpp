@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/stress.hpp"
 #include "system/require.hpp"
 

@@ -4,6 +4,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -71,6 +72,10 @@ Fit weighted_fit(RowMajor matrix, VectorXd observed, VectorXd weights) {
 }
 
 }  // namespace
+
+VectorXd solve(const MatrixXd& matrix, const VectorXd& right_side) {
+  return matrix.partialPivLu().solve(right_side);
+}
 
 double Fit::standard(Index j) const {
   return std::sqrt(covariance(j, j));

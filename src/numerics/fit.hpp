@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Linear least squares, by GSL.
+// Systems of linear equations by Eigen, and linear least squares by GSL.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
 namespace numerics {
+
+/// Solves matrix·x = right_side by LU factors with partial pivoting. Eigen's factorisation is slow to
+/// compile, so it is compiled only here.
+Eigen::VectorXd solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
 /// A linear model y = A c fitted to observations.
 struct Fit {

@@ -4,8 +4,8 @@
 
 #include "paper/block_study.hpp"
 #include "paper/conventions.hpp"
+#include "paper/load_fit.hpp"
 #include "paper/paper.hpp"
-#include "paper/run.hpp"
 
 namespace paper {
 namespace {

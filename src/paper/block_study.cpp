@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/block_study.hpp"
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "paper/conventions.hpp"
 
 namespace paper {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The finite block of the paper's Appendix 2, and the run that the paper prints.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 
 #include "block/analysis.hpp"
 #include "block/rectangle.hpp"
-#include "paper/prelude.hpp"
+#include "paper/paper.hpp"
 
 namespace paper {
 
@@ -61,5 +62,12 @@ class BlockStudy {
 
 /// "clamped", "roller" or "free".
 std::string name_of(block::Support sides);
+
+/// The datum with which a half-space is displaced as much as the block of this level.
+Estimate equivalent_datum(const HalfSpaceCase& h, Estimate level);
+
+/// Registers the properties of the body and its stresses from the run's summary, and the
+/// contributions to the difference of the printed columns.
+void describe_run(Document& document, const Case& from, const BlockStudy& study);
 
 }  // namespace paper

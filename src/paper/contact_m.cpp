@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "contact/contact_search.hpp"
-#include "elasticity/load_shapes.hpp"
-#include "numerics/dense_lu.hpp"
-#include "paper/prelude.hpp"
+#include "elasticity/loads.hpp"
+#include "numerics/fit.hpp"
+#include "paper/conventions.hpp"
 
 namespace paper {
 namespace {
@@ -82,7 +82,7 @@ ContactM run_contact_m(const ContactCase& contact, const ContactMInput& input,
     b.row(0).setConstant(c * static_cast<double>(aa - 2));
     if (mended.weight_of_equilibrium) b.row(0) = c * sides;  // repair 4
     h[0] = contact.line_load;
-    return numerics::DenseLu(b).solve(h);
+    return numerics::solve(b, h);
   };
   Index aa = mended.free_edge ? nn + 1 : input.zero_node;
   VectorXd p = pressure_up_to(aa);

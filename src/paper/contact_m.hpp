@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "paper/prelude.hpp"
+#include "paper/conventions.hpp"
 #include "paper/printed_data.hpp"
 
 namespace paper {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 
 namespace paper {
 

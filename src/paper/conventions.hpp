@@ -1,13 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits and error bounds that several sections share.
+// What every section of this report uses: names of the engine, of numbers with errors and of the
+// parts of a case; limits and error bounds that several sections share.
 #pragma once
 
 #include <algorithm>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "paper/prelude.hpp"
+#include "config/units.hpp"
+#include "line_contact/cylinders.hpp"
+#include "literate/document/document.hpp"
+#include "numerics/estimate.hpp"
+#include "parameters/case.hpp"
+#include "parameters/printed_number.hpp"
 
 namespace paper {
+
+using config::UnitSystem;
+using line_contact::Hertz;
+using literate::Cell;
+using literate::Column;
+using literate::Criterion;
+using literate::Document;
+using literate::exact;
+using literate::Figure;
+using literate::FigureData;
+using literate::fixed;
+using literate::integer;
+using literate::Limit;
+using literate::LimitKind;
+using literate::Number;
+using literate::percent;
+using literate::scientific;
+using literate::significant;
+using literate::uncertain;
+using literate::Value;
+using literate::Verdict;
+using numerics::Estimate;
+using parameters::BlockCase;
+using parameters::ContactCase;
+using parameters::HalfSpaceCase;
+using parameters::PointContactCase;
+using parameters::PrintedNumber;
+
+/// A number with a standard uncertainty and no bound.
+inline Number number_with(double value, double standard) {
+  return {value, 0, standard};
+}
 
 /// A difference invisible in a plot: a hundredth of what it shows.
 inline Limit less_than_a_plot_shows() {
@@ -42,7 +82,7 @@ inline std::vector<double> values_of(const std::vector<PrintedNumber>& numbers) 
   return values;
 }
 
-/// u_z by eq. (3) and its gradient, with the accuracy stated in elasticity/load_shapes.hpp.
+/// u_z by eq. (3) and its gradient, with the accuracy stated in elasticity/loads.hpp.
 Estimate displacement(const HalfSpaceCase& c, double x);
 Estimate gradient(const HalfSpaceCase& c, double x);
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "paper/conventions.hpp"
 #include "paper/paper.hpp"

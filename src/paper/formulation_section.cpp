@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "paper/conventions.hpp"
 #include "paper/paper.hpp"

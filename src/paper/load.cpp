@@ -6,7 +6,6 @@
 
 #include "paper/conventions.hpp"
 #include "paper/load_fit.hpp"
-#include "paper/run.hpp"
 
 namespace paper {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "paper/prelude.hpp"
+#include "paper/conventions.hpp"
 #include "paper/printed_data.hpp"
 #include "parameters/case.hpp"
 

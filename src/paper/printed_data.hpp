@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "paper/prelude.hpp"
+#include "paper/conventions.hpp"
 
 namespace paper {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paper/run.hpp"
+#include "paper/block_study.hpp"
 
 #include <fmt/core.h>
 
@@ -8,8 +8,9 @@
 #include <map>
 #include <vector>
 
-#include "block/measures.hpp"
+#include "block/solution.hpp"
 #include "paper/conventions.hpp"
+#include "paper/load_fit.hpp"
 
 namespace paper {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "paper/prelude.hpp"
+#include "paper/conventions.hpp"
 #include "point_contact/hertz.hpp"
 #include "point_contact/solution.hpp"
 

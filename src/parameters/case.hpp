@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "block/discretization.hpp"
+#include "block/mesh.hpp"
 #include "block/rectangle.hpp"
 #include "config/table.hpp"
 #include "config/units.hpp"
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/material.hpp"
 #include "line_contact/cylinders.hpp"
 

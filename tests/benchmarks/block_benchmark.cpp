@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "block/analysis.hpp"
-#include "block/measures.hpp"
-#include "elasticity/load_shapes.hpp"
+#include "block/solution.hpp"
+#include "elasticity/loads.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "random_inputs.hpp"
 

@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "block/measures.hpp"
 #include "block/paper_block.hpp"
+#include "block/solution.hpp"
 
 BOOST_AUTO_TEST_SUITE(errors_test)
 

@@ -5,9 +5,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "block/discretization.hpp"
 #include "block/lobatto_basis.hpp"
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 
 BOOST_AUTO_TEST_SUITE(mesh_test)
 

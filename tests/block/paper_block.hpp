@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "block/analysis.hpp"
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 
 /// The block, material and printed displacements of Ruggiero (2001), Appendix 2, in inches and psi.
 namespace paper_block {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "block/paper_block.hpp"
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "refused.hpp"
 
 BOOST_AUTO_TEST_SUITE(refusals_test)

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "multiprecision.hpp"
 #include "random_inputs.hpp"
 #include "tolerances.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/stress.hpp"
 #include "elasticity/surface_quadrature.hpp"
 

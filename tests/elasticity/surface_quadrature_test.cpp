@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "random_inputs.hpp"
 #include "tolerances.hpp"
 

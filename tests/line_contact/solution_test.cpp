@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "line_contact/cases.hpp"
 #include "line_contact/methods.hpp"

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "elasticity/load.hpp"
-#include "elasticity/load_shapes.hpp"
+#include "elasticity/loads.hpp"
 #include "elasticity/material.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "line_contact/cylinders.hpp"

@@ -34,12 +34,12 @@ add_folder_library(command_line NO_HEAVY_COMPUTING
 # The mechanics
 add_folder_library(numerics
   SOURCES
-    dense_lu.cpp fit.cpp fourier.cpp kernel_integrals.cpp piecewise.cpp quadrature.cpp
+    fit.cpp fourier.cpp kernel_integrals.cpp piecewise.cpp quadrature.cpp
   LINK errors estimate Eigen3::Eigen GSL::gsl ${FFTW3_LIBRARIES}
   PRIVATE_LINK fmt::fmt)
 add_folder_library(elasticity
   SOURCES
-    line_potential.cpp load.cpp load_shapes.cpp material.cpp stress.cpp surface_quadrature.cpp
+    line_potential.cpp loads.cpp material.cpp stress.cpp surface_quadrature.cpp
   LINK numerics)
 add_folder_library(contact
   SOURCES accuracy.cpp contact_search.cpp reference_methods.cpp
@@ -55,8 +55,7 @@ add_folder_library(point_contact
   PRIVATE_LINK fmt::fmt)
 add_folder_library(block
   SOURCES
-    analysis.cpp discretization.cpp element_stiffness.cpp factorization.cpp lobatto_basis.cpp measures.cpp mesh.cpp
-    model.cpp nodal_forces.cpp rectangle.cpp solution.cpp
+    analysis.cpp element_stiffness.cpp factorization.cpp lobatto_basis.cpp mesh.cpp model.cpp rectangle.cpp solution.cpp
   LINK elasticity Eigen3::Eigen
   PRIVATE_LINK GSL::gsl fmt::fmt)
 
@@ -68,7 +67,7 @@ add_folder_library(parameters NO_HEAVY_COMPUTING
 add_folder_library(paper
   SOURCES
     block_section.cpp block_study.cpp contact_m.cpp contact_m_section.cpp conventions.cpp cylinders_section.cpp
-    elements_section.cpp error_analysis_section.cpp falling_pressure.cpp formulation_section.cpp load.cpp load_fit.cpp
+    elements_section.cpp error_analysis_section.cpp formulation_section.cpp load.cpp load_fit.cpp
     paper.cpp printed_data.cpp quadrature_section.cpp results_section.cpp run.cpp spheres_section.cpp
     tangential_section.cpp
   LINK literate parameters
