@@ -93,17 +93,6 @@ struct Table::Node {
     if (!text) wrong_type(node, key, "a string");
     return *text;
   }
-
-  /// Reads each element of an array with `read`.
-  template <typename Read>
-  auto elements(const std::string& key, const std::string& expected, Read&& read) const {
-    const toml::node& node = get(key);
-    const toml::array* array = node.as_array();
-    if (array == nullptr) wrong_type(node, key, expected);
-    std::vector<decltype(read(node))> elements;
-    for (const toml::node& element : *array) elements.push_back(read(element));
-    return elements;
-  }
 };
 
 Table Table::parse_file(const std::filesystem::path& path) {
@@ -144,17 +133,16 @@ std::string Table::text(const std::string& key) const {
 }
 
 std::vector<std::string> Table::texts(const std::string& key) const {
-  return node_->elements(key, "an array of strings",
-                         [&](const toml::node& node) { return node_->text_at(node, key); });
+  const toml::node& node = node_->get(key);
+  const toml::array* array = node.as_array();
+  if (array == nullptr) node_->wrong_type(node, key, "an array of strings");
+  std::vector<std::string> texts;
+  for (const toml::node& element : *array) texts.push_back(node_->text_at(element, key));
+  return texts;
 }
 
 double Table::number(const std::string& key) const {
   return node_->number_at(node_->get(key), key);
-}
-
-std::vector<double> Table::numbers(const std::string& key) const {
-  return node_->elements(key, "an array of numbers",
-                         [&](const toml::node& node) { return node_->number_at(node, key); });
 }
 
 long Table::integer(const std::string& key) const {

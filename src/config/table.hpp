@@ -36,7 +36,6 @@ class Table {
   std::string text(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;
   double number(const std::string& key) const;
-  std::vector<double> numbers(const std::string& key) const;
   long integer(const std::string& key) const;
   double quantity(const std::string& key, Dimension dimension, const UnitSystem& units) const;
   /// Reads a quantity in any unit that UDUNITS-2 knows, such as "m/s2".

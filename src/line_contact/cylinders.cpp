@@ -58,13 +58,6 @@ double Hertz::pressure(double x) const {
   return peak_pressure_ / half_width_ * std::sqrt(from_edge * (half_width_ + std::abs(x)));
 }
 
-double Hertz::gap(double x) const {
-  const double xi = std::abs(x) / half_width_;
-  if (xi <= 1) return 0;
-  const double scale = half_width_ * half_width_ * relative_curvature_ / 2;
-  return scale * (xi * std::sqrt((xi - 1) * (xi + 1)) - std::acosh(xi));
-}
-
 double Hertz::approach(double datum) const {
   const double xi = std::abs(sys::require_finite("datum", datum)) / half_width_;
   const double scale = half_width_ * half_width_ * relative_curvature_ / 2;

@@ -62,10 +62,6 @@ class Hertz {
   /// p(x) = p₀ √(1 − x²/a²) for |x| ≤ a, 0 outside; a stress (Johnson 4.44).
   double pressure(double x) const;
 
-  /// The gap u_z1 + u_z2 + h − δ outside the contact, 0 inside; a length:
-  ///   (a²/(2R)) [ξ √(ξ²−1) − arcosh ξ], ξ = |x|/a ≥ 1, the integral of eq. (2)'s slope outside.
-  double gap(double x) const;
-
   /// The approach δ of the points of the two surfaces at x = datum, where u_z1 = u_z2 = 0; a
   /// length. It is h(datum) minus the gap there: datum²/(2R) in contact, and outside
   ///

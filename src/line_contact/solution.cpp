@@ -93,10 +93,6 @@ double Solution::half_width() const {
          std::sqrt(second_moment / load - mean * mean + own_second_moment(element));
 }
 
-double Solution::half_width_by_count() const {
-  return static_cast<double>(n_in_contact()) * grid.spacing / 2;
-}
-
 std::vector<Region> regions_in_contact(const Grid& grid, const Eigen::VectorXd& pressure) {
   std::vector<Region> regions;
   const auto at = [&](Index i) { return i < 0 || i >= grid.n_nodes ? 0 : pressure[i]; };

@@ -44,9 +44,6 @@ struct Solution : Problem {
   /// count of nodes in contact, it does not jump by c.
   double half_width() const;
 
-  /// Half the number of nodes in contact, times c; accurate to c.
-  double half_width_by_count() const;
-
   std::vector<Region> regions() const { return regions_in_contact(grid, pressure); }
 
   /// The approach δ of the points of the two surfaces at x = datum, where u_z1 = u_z2 = 0; a

@@ -81,10 +81,6 @@ double Fit::standard(Index j) const {
   return std::sqrt(covariance(j, j));
 }
 
-double Fit::correlation(Index j, Index k) const {
-  return covariance(j, k) / (standard(j) * standard(k));
-}
-
 Fit fit(const MatrixXd& matrix, const VectorXd& observed) {
   Fit result = weighted_fit(matrix, observed, {});
   if (result.degrees_of_freedom == 0) {

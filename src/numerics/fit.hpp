@@ -7,8 +7,8 @@
 
 namespace numerics {
 
-/// Solves matrix·x = right_side by LU factors with partial pivoting. Eigen's factorisation is slow to
-/// compile, so it is compiled only here.
+/// Solves matrix·x = right_side by LU factors with partial pivoting. Eigen's factorisation is slow
+/// to compile, so it is compiled only here.
 Eigen::VectorXd solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
 /// A linear model y = A c fitted to observations.
@@ -21,9 +21,6 @@ struct Fit {
 
   /// The standard uncertainty of a coefficient.
   double standard(Eigen::Index j) const;
-
-  /// The covariance of two coefficients divided by both standard uncertainties.
-  double correlation(Eigen::Index j, Eigen::Index k) const;
 };
 
 /// Fits y = A c with equal weights: the c that minimise Σᵢ (yᵢ − Σⱼ Aᵢⱼ cⱼ)² (gsl_multifit_linear).

@@ -11,44 +11,6 @@
 namespace point_contact {
 namespace {
 
-// w − arctan w for w ≥ 0 without cancellation: 5e-16 relative.
-double excess_over_arctangent(double w) {
-  // Beyond 0.6 the subtraction loses less than four bits; below, 40 terms of the series
-  // w³/3 − w⁵/5 + … reach rounding.
-  constexpr double near = 0.6;
-  if (w > near) return w - std::atan(w);
-  constexpr int n_terms = 40;
-  double sum = 0;
-  for (int k = n_terms; k >= 1; --k) sum = 1.0 / (2 * k + 1) - w * w * sum;
-  return w * w * w * sum;
-}
-
-}  // namespace
-
-Hertz::Hertz(double contact_modulus, double relative_curvature, double load)
-    : relative_curvature_(sys::require_positive("relative_curvature", relative_curvature)),
-      radius_(std::cbrt(
-          3 * sys::require_positive("load", load) /
-          (4 * sys::require_positive("contact_modulus", contact_modulus) * relative_curvature))),
-      peak_pressure_(3 * load / (2 * std::numbers::pi * radius_ * radius_)) {}
-
-double Hertz::pressure(double r) const {
-  // a − r is exact near the edge; 1 − (r/a)² would not be.
-  const double from_edge = radius_ - std::abs(r);
-  if (from_edge <= 0) return 0;
-  return peak_pressure_ / radius_ * std::sqrt(from_edge * (radius_ + std::abs(r)));
-}
-
-double Hertz::gap(double r) const {
-  const double distance = std::abs(r);
-  if (distance <= radius_) return 0;
-  const double tangent = std::sqrt((distance - radius_) * (distance + radius_)) / radius_;
-  const double bracket = std::atan(tangent) * tangent * tangent + excess_over_arctangent(tangent);
-  return approach() / std::numbers::pi * bracket;
-}
-
-namespace {
-
 double carlson_rf(double x, double y, double z) {
   return gsl_sf_ellint_RF(x, y, z, GSL_PREC_DOUBLE);
 }
@@ -84,24 +46,25 @@ double require_ratio(double curvature_x, double curvature_y) {
   return ratio;
 }
 
-// The larger root w of x²/(a²+w) + y²/(b²+w) = 1, a quadratic equation; 0 inside the ellipse.
-double confocal_parameter(double a, double b, const Vector2& at) {
-  const double x2 = at.x() * at.x();
-  const double y2 = at.y() * at.y();
-  const double half_sum = (x2 + y2 - a * a - b * b) / 2;
-  const double outside = b * b * x2 + a * a * y2 - a * a * b * b;  // −(product of the roots)
-  if (outside <= 0) return 0;
-  const double root = std::sqrt(half_sum * half_sum + outside);
-  return half_sum > 0 ? half_sum + root : outside / (root - half_sum);
-}
-
 }  // namespace
 
+Hertz::Hertz(double contact_modulus, double relative_curvature, double load)
+    : relative_curvature_(sys::require_positive("relative_curvature", relative_curvature)),
+      radius_(std::cbrt(
+          3 * sys::require_positive("load", load) /
+          (4 * sys::require_positive("contact_modulus", contact_modulus) * relative_curvature))),
+      peak_pressure_(3 * load / (2 * std::numbers::pi * radius_ * radius_)) {}
+
+double Hertz::pressure(double r) const {
+  // a − r is exact near the edge; 1 − (r/a)² would not be.
+  const double from_edge = radius_ - std::abs(r);
+  if (from_edge <= 0) return 0;
+  return peak_pressure_ / radius_ * std::sqrt(from_edge * (radius_ + std::abs(r)));
+}
+
 HertzElliptic::HertzElliptic(double contact_modulus, double curvature_x, double curvature_y,
-                             double load)
-    : contact_modulus_(sys::require_positive("contact_modulus", contact_modulus)),
-      curvature_x_(curvature_x),
-      curvature_y_(curvature_y) {
+                             double load) {
+  sys::require_positive("contact_modulus", contact_modulus);
   sys::require_positive("load", load);
   const double ratio = std::exp(log_axis_ratio(require_ratio(curvature_x, curvature_y)));
   // κ_x = (2p₀ab/(3E*)) R_D(0, b², a²) = (P/(πE*)) R_D(0, ratio², 1)/a³
@@ -117,19 +80,6 @@ double HertzElliptic::pressure(const Vector2& at) const {
   const double eta = at.y() / b_;
   const double square = (1 - xi) * (1 + xi) - eta * eta;
   return square > 0 ? peak_pressure_ * std::sqrt(square) : 0;
-}
-
-double HertzElliptic::gap(const Vector2& at) const {
-  const double w = confocal_parameter(a_, b_, at);
-  if (w == 0) return 0;
-  const double a2 = a_ * a_ + w;
-  const double b2 = b_ * b_ + w;
-  const double x2 = at.x() * at.x();
-  const double y2 = at.y() * at.y();
-  const double displacement =
-      peak_pressure_ * a_ * b_ / contact_modulus_ *
-      (carlson_rf(w, a2, b2) - x2 / 3 * carlson_rd(w, b2, a2) - y2 / 3 * carlson_rd(w, a2, b2));
-  return displacement + (curvature_x_ * x2 + curvature_y_ * y2) / 2 - approach_;
 }
 
 }  // namespace point_contact

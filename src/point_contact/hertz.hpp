@@ -5,7 +5,7 @@
 
 namespace point_contact {
 
-/// Hertz's closed form for two spheres pressed together (Johnson 4.22–4.24, 3.42).
+/// Hertz's closed form for two spheres pressed together (Johnson 4.22–4.24).
 class Hertz {
  public:
   /// contact_modulus E* (a stress), relative_curvature κ = 1/R₁ + 1/R₂ and load P (a force). Throws
@@ -24,11 +24,6 @@ class Hertz {
   /// p(r) = p₀ √(1 − r²/a²) for r ≤ a, 0 outside; a stress. Accuracy: a few roundings.
   double pressure(double r) const;
 
-  /// The gap u_z1 + u_z2 + h − δ outside the contact, 0 inside; a length:
-  ///   (κa²/π) [t tan²t + tan t − t],  cos t = a/r   (from Johnson 3.42a).
-  /// Accuracy: 1e-14 relative, given a.
-  double gap(double r) const;
-
  private:
   double relative_curvature_;
   double radius_;
@@ -38,11 +33,11 @@ class Hertz {
 /// Hertz's closed form for an elliptical contact: two bodies whose gap is h = (κ_x x² + κ_y y²)/2
 /// (Johnson §4.2, eqs. 3.60–3.64, in Carlson's symmetric integrals R_F and R_D).
 ///
-/// With semi-axes a along x and b along y, and w from x²/(a²+w) + y²/(b²+w) = 1 outside,
+/// With semi-axes a along x and b along y, the displacement in contact is
 ///
-///   u_z1 + u_z2 = (p₀ab/E*) [R_F(w, a²+w, b²+w) − ⅓x² R_D(w, b²+w, a²+w) − ⅓y² R_D(w, a²+w, b²+w)]
+///   u_z1 + u_z2 = (p₀ab/E*) [R_F(0, a², b²) − ⅓x² R_D(0, b², a²) − ⅓y² R_D(0, a², b²)].
 ///
-/// with w = 0 inside. Equating this to δ − h gives κ_x, κ_y and δ; the ratio b/a is solved from
+/// Equating this to δ − h gives κ_x, κ_y and δ; the ratio b/a is solved from
 /// κ_x/κ_y without approximation.
 class HertzElliptic {
  public:
@@ -63,11 +58,7 @@ class HertzElliptic {
   /// p = p₀ √(1 − x²/a² − y²/b²) within the ellipse, 0 outside; a stress.
   double pressure(const Vector2& at) const;
 
-  /// The gap u_z1 + u_z2 + h − δ outside the contact, 0 inside; a length. Accuracy: 1e-14 of h.
-  double gap(const Vector2& at) const;
-
  private:
-  double contact_modulus_, curvature_x_, curvature_y_;
   double a_, b_;
   double peak_pressure_;
   double approach_;

@@ -27,7 +27,7 @@ struct ClosedForm {
   double curvature_x, curvature_y;
   double a, b;  // semi-axes
   double peak_pressure, approach;
-  std::function<double(const Vector2&)> pressure, gap;
+  std::function<double(const Vector2&)> pressure;
 
   double h(const Vector2& at) const {
     return (curvature_x * at.x() * at.x() + curvature_y * at.y() * at.y()) / 2;
@@ -43,14 +43,12 @@ ClosedForm elliptic(const std::string& name, double along_x, double along_y) {
           contact.semi_axis_y(),
           contact.peak_pressure(),
           contact.approach(),
-          [=](const Vector2& at) { return contact.pressure(at); },
-          [=](const Vector2& at) { return contact.gap(at); }};
+          [=](const Vector2& at) { return contact.pressure(at); }};
 }
 
 const std::vector<ClosedForm> closed_forms{
     {"spheres", curvature, curvature, hertz.radius(), hertz.radius(), hertz.peak_pressure(),
-     hertz.approach(), [](const Vector2& at) { return hertz.pressure(at.norm()); },
-     [](const Vector2& at) { return hertz.gap(at.norm()); }},
+     hertz.approach(), [](const Vector2& at) { return hertz.pressure(at.norm()); }},
     elliptic("spheres as ellipse", curvature, curvature),
     elliptic("ellipse", curvature_x, curvature_y),
     elliptic("long ellipse", 3.7, 0.002385)};
@@ -108,15 +106,12 @@ BOOST_AUTO_TEST_CASE(the_pressure_closes_the_gap_by_equation_1a_and_opens_it_by_
       const Vector2 at(xi * c.a, eta * c.b);
       BOOST_TEST_CONTEXT(c.name << ", inside at " << xi << ", " << eta) {
         BOOST_TEST(std::abs(displacement(c, at) + c.h(at) - c.approach) < 1e-9 * scale);
-        BOOST_TEST(c.gap(at) == 0);
       }
     }
     for (const auto& [xi, eta] : {std::pair{1.1, 0.0}, {0.9, -0.9}, {0.2, 1.7}}) {
       const Vector2 at(xi * c.a, eta * c.b);
-      const double gap = displacement(c, at) + c.h(at) - c.approach;
       BOOST_TEST_CONTEXT(c.name << ", outside at " << xi << ", " << eta) {
-        BOOST_TEST(gap > 0);
-        BOOST_TEST(std::abs(c.gap(at) - gap) < 1e-9 * (scale + c.h(at)));
+        BOOST_TEST(displacement(c, at) + c.h(at) > c.approach);
       }
     }
   }
