@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "message_of.hpp"
+#include "messages.hpp"
 #include "system/require.hpp"
 
 /// A call that must throw sys::InvalidQuantity, and what its message must contain.

@@ -8,7 +8,7 @@
 
 #include "elasticity/loads.hpp"
 #include "elasticity/surface_quadrature.hpp"
-#include "random_inputs.hpp"
+#include "numbers.hpp"
 
 namespace {
 

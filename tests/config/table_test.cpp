@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "holds.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 #include "temporary_folder.hpp"
 
 using config::Dimension;

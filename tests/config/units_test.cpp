@@ -6,8 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "holds.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 
 using config::converted;
 using config::UnitError;

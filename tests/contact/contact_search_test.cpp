@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "random_inputs.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(contact_search_test)
 

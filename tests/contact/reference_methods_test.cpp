@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "contact/contact_search.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 
 BOOST_AUTO_TEST_SUITE(reference_methods_test)
 

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "multiprecision.hpp"
-#include "random_inputs.hpp"
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(line_potential_test)
 

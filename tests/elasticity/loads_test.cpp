@@ -10,8 +10,7 @@
 
 #include "elasticity/loads.hpp"
 #include "multiprecision.hpp"
-#include "random_inputs.hpp"
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(loads_test)
 

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "random_inputs.hpp"
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(material_test)
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "multiprecision.hpp"
+#include "numbers.hpp"
 #include "numerics/quadrature.hpp"
-#include "random_inputs.hpp"
 
 BOOST_AUTO_TEST_SUITE(stress_test)
 

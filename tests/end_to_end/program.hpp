@@ -2,8 +2,11 @@
 // Runs the built program as a shell would, and reads its output.
 #pragma once
 
+#include <sys/wait.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -14,7 +17,6 @@
 #include <vector>
 
 #include "csv_rows.hpp"
-#include "run_shell.hpp"
 #include "system/files.hpp"
 #include "system/text.hpp"
 #include "temporary_folder.hpp"
@@ -35,6 +37,36 @@ inline Words words_of(const std::string& text) {
 inline Words operator+(Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
+}
+
+struct ShellResult {
+  int exit_status = 0;
+  std::string output;  ///< standard output and standard error
+};
+
+/// Runs a shell script with the arguments $1, $2, … and no input. The variables are added to this
+/// program's environment.
+inline ShellResult run_shell(const std::string& script, const std::vector<std::string>& arguments,
+                             const std::filesystem::path& folder = ".",
+                             const std::map<std::string, std::string>& variables = {}) {
+  const auto quoted = [](const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
+    return result + "'";
+  };
+  std::string command = "cd " + quoted(folder.string()) + " && exec </dev/null 2>&1 env";
+  for (const auto& [name, value] : variables) command += " " + quoted(name + "=" + value);
+  command += " /bin/sh -c " + quoted(script) + " sh";
+  for (const std::string& argument : arguments) command += " " + quoted(argument);
+
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
+  ShellResult result;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
+    result.output += static_cast<char>(c);
+  }
+  const int status = ::pclose(pipe);
+  result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
 }
 
 /// The environment of a run of the program.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "holds.hpp"
+#include "messages.hpp"
 
 BOOST_AUTO_TEST_SUITE(student_program_test)
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "message_of.hpp"
+#include "messages.hpp"
 
 BOOST_AUTO_TEST_SUITE(tally_test)
 

@@ -8,9 +8,8 @@
 
 #include "elasticity/surface_quadrature.hpp"
 #include "multiprecision.hpp"
+#include "numbers.hpp"
 #include "numerics/quadrature.hpp"
-#include "random_inputs.hpp"
-#include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(cylinders_test)
 

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "multiprecision.hpp"
-#include "random_inputs.hpp"
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(element_test)
 

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "random_inputs.hpp"
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(influence_operator_test)
 

@@ -8,7 +8,7 @@
 
 #include "line_contact/cases.hpp"
 #include "line_contact/methods.hpp"
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(methods_test)
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(problem_test)
 

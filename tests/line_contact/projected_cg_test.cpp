@@ -7,8 +7,8 @@
 #include <string>
 
 #include "line_contact/problem.hpp"
+#include "numbers.hpp"
 #include "system/require.hpp"
-#include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(projected_cg_test)
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "multiprecision.hpp"
-#include "random_inputs.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(estimate_test)
 

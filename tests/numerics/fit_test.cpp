@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "random_inputs.hpp"
+#include "numbers.hpp"
 #include "refused.hpp"
-#include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(fit_test)
 

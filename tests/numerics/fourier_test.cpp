@@ -7,8 +7,7 @@
 #include <numbers>
 #include <thread>
 
-#include "random_inputs.hpp"
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(fourier_test)
 

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "random_inputs.hpp"
+#include "numbers.hpp"
 #include "system/require.hpp"
-#include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(kernel_integrals_test)
 

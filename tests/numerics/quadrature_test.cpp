@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(quadrature_test)
 

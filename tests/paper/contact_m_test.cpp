@@ -10,7 +10,7 @@
 #include "contact/contact_search.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/methods.hpp"
-#include "tolerances.hpp"
+#include "numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(contact_m_test)
 

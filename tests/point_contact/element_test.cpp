@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "multiprecision.hpp"
+#include "numbers.hpp"
 #include "numerics/quadrature.hpp"
-#include "random_inputs.hpp"
-#include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(element_test)
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "numbers.hpp"
 #include "numerics/quadrature.hpp"
 #include "point_contact/cases.hpp"
-#include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(hertz_test)
 

@@ -5,8 +5,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "numbers.hpp"
 #include "point_contact/cases.hpp"
-#include "random_inputs.hpp"
 
 BOOST_AUTO_TEST_SUITE(influence_operator_test)
 

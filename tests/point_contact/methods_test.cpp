@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "contact/reference_methods.hpp"
+#include "numbers.hpp"
 #include "point_contact/cases.hpp"
-#include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(methods_test)
 

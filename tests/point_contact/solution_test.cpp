@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "numbers.hpp"
 #include "point_contact/cases.hpp"
 #include "point_contact/methods.hpp"
-#include "tolerances.hpp"
 
 BOOST_AUTO_TEST_SUITE(solution_test)
 

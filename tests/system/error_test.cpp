@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
-#include "message_of.hpp"
+#include "messages.hpp"
 #include "system/require.hpp"
 
 BOOST_AUTO_TEST_SUITE(error_test)

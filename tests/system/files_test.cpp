@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "holds.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 #include "system/error.hpp"
 #include "temporary_folder.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "message_of.hpp"
+#include "messages.hpp"
 
 BOOST_AUTO_TEST_SUITE(parallel_test)
 

@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "message_of.hpp"
+#include "messages.hpp"
 #include "system/error.hpp"
 
 BOOST_AUTO_TEST_SUITE(tool_test)

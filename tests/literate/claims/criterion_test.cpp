@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "csv_rows.hpp"
-#include "holds.hpp"
 #include "literate/claims/claim.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 #include "system/decimal.hpp"
 
 using literate::Criterion;

@@ -6,9 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "holds.hpp"
 #include "literate/document/values_tex.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 
 using literate::Column;
 using literate::Criterion;

@@ -7,9 +7,8 @@
 #include <map>
 #include <string>
 
-#include "holds.hpp"
 #include "literate/results/read_document.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 #include "pendulum/pendulum.hpp"
 #include "system/error.hpp"
 #include "system/files.hpp"

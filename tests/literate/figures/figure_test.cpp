@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "holds.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 
 using literate::Figure;
 using literate::figure_csv;

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "holds.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 
 using literate::Cell;
 using literate::Column;

@@ -4,8 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "holds.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 
 using literate::author_latex;
 using literate::latex_escaped;

@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "holds.hpp"
-#include "message_of.hpp"
+#include "messages.hpp"
 
 BOOST_AUTO_TEST_SUITE(unit_test)
 

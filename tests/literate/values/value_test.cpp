@@ -7,10 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "holds.hpp"
 #include "literate/values/rounding.hpp"
-#include "message_of.hpp"
-#include "random_inputs.hpp"
+#include "messages.hpp"
+#include "numbers.hpp"
 
 using literate::exact;
 using literate::fixed;
