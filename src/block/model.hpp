@@ -5,8 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "block/element_stiffness.hpp"
-#include "block/lobatto_basis.hpp"
+#include "block/element.hpp"
 #include "block/mesh.hpp"
 #include "elasticity/loads.hpp"
 #include "elasticity/material.hpp"

@@ -8,7 +8,6 @@
 #include "line_contact/methods.hpp"
 #include "paper/conventions.hpp"
 #include "paper/paper.hpp"
-#include "paper/spheres.hpp"
 
 namespace paper {
 namespace {

@@ -8,6 +8,8 @@
 #include "paper/conventions.hpp"
 #include "paper/printed_data.hpp"
 #include "parameters/case.hpp"
+#include "point_contact/hertz.hpp"
+#include "point_contact/solution.hpp"
 
 namespace paper {
 
@@ -36,6 +38,21 @@ void compute_cylinders(Document& document, const Case& from);
 void compute_contact_m(Document& document, const Case& from);
 void compute_elements(Document& document, const Case& from);
 void compute_spheres(Document& document, const Case& from);
+
+/// Spheres with the radii and materials of the case's cylinders, by Hertz and by pyramids on a
+/// square lattice with no node at the centre.
+struct Spheres {
+  point_contact::Hertz hertz;
+  point_contact::Solution solution;
+};
+Spheres solve_spheres(const ContactCase& c, const PointContactCase& p);
+
+/// The magnitudes of the relative errors against Hertz.
+struct SphereErrors {
+  double peak, radius, approach;
+  double square;  ///< (c/a)²
+};
+SphereErrors errors_of(const Spheres& spheres);
 
 /// Computes all results of the report for a case and registers them with the document.
 ///

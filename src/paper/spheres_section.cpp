@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "paper/paper.hpp"
-#include "paper/spheres.hpp"
 #include "point_contact/methods.hpp"
 
 namespace paper {

@@ -5,7 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "block/lobatto_basis.hpp"
+#include "block/element.hpp"
 #include "elasticity/loads.hpp"
 
 BOOST_AUTO_TEST_SUITE(mesh_test)

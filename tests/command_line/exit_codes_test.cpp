@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "block/element_stiffness.hpp"
+#include "block/element.hpp"
 #include "config/table.hpp"
 #include "contact/contact_search.hpp"
 #include "numerics/quadrature.hpp"

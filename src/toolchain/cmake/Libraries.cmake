@@ -50,12 +50,12 @@ add_folder_library(line_contact
   LINK contact elasticity Eigen3::Eigen)
 add_folder_library(point_contact
   SOURCES
-    element.cpp hertz.cpp influence_operator.cpp methods.cpp plane_filter.cpp problem.cpp projected_cg.cpp solution.cpp
+    element.cpp hertz.cpp influence_operator.cpp methods.cpp problem.cpp projected_cg.cpp solution.cpp
   LINK contact numerics Eigen3::Eigen
   PRIVATE_LINK fmt::fmt)
 add_folder_library(block
   SOURCES
-    analysis.cpp element_stiffness.cpp factorization.cpp lobatto_basis.cpp mesh.cpp model.cpp rectangle.cpp solution.cpp
+    analysis.cpp element.cpp factorization.cpp mesh.cpp model.cpp rectangle.cpp solution.cpp
   LINK elasticity Eigen3::Eigen
   PRIVATE_LINK GSL::gsl fmt::fmt)
 
@@ -70,8 +70,8 @@ add_folder_library(paper
     elements_section.cpp error_analysis_section.cpp formulation_section.cpp load.cpp load_fit.cpp
     paper.cpp printed_data.cpp quadrature_section.cpp results_section.cpp run.cpp spheres_section.cpp
     tangential_section.cpp
-  LINK literate parameters
-  PRIVATE_LINK config system block line_contact elasticity point_contact fmt::fmt Eigen3::Eigen)
+  LINK literate parameters point_contact
+  PRIVATE_LINK config system block line_contact elasticity fmt::fmt Eigen3::Eigen)
 
 # The program that computes the report. It is separate from `halfspace`, so that building the report does not compile the command
 # line of the mechanics.
