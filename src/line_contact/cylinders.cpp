@@ -40,7 +40,9 @@ CylinderPair::CylinderPair(const elasticity::Material& material1, Radius radius1
     : relative_curvature_(radius1.curvature() + radius2.curvature()),
       contact_modulus_(elasticity::contact_modulus(material1, material2)) {
   if (!(relative_curvature_ > 0)) {
-    throw sys::InvalidQuantity("1/radius1 + 1/radius2", relative_curvature_, "greater than 0");
+    throw sys::InvalidQuantity("1/radius1 + 1/radius2", relative_curvature_,
+                               "greater than 0: at most one plane, and a hollow only if wider than "
+                               "the cylinder in it");
   }
 }
 

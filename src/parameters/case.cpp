@@ -24,10 +24,6 @@ constexpr double greatest = 1e50;
 // swamps the differences of displacements.
 constexpr double farthest = 1e8;
 
-// The sum of two curvatures of opposite sign loses digits; below this fraction of them it is mostly
-// rounding.
-constexpr double least_curvature = 1e-9;
-
 // The greatest size of the block, in half-widths of the load. In a larger block the elements are so
 // thin that the stiffness is ill-conditioned.
 constexpr double widest_block = 2000;
@@ -97,11 +93,6 @@ HalfSpaceCase read_half_space(const config::Table& table, const config::UnitSyst
   return {material, triangle, datum, points};
 }
 
-std::string shown(const line_contact::Radius& radius, const config::UnitSystem& units) {
-  if (radius.is_plane()) return "\"plane\"";
-  return fmt::format("{:.12g} {}", 1 / radius.curvature(), units.length);
-}
-
 CylinderCase read_body(const config::Table& table, const config::UnitSystem& units) {
   const elasticity::Material material = read_material(table.table("material"), units);
   if (table.is_text("radius", "plane")) {
@@ -116,21 +107,9 @@ CylinderCase read_body(const config::Table& table, const config::UnitSystem& uni
 ContactCase read_contact(const config::Table& table, const config::UnitSystem& units) {
   const CylinderCase body1 = read_body(table.table("body1"), units);
   const CylinderCase body2 = read_body(table.table("body2"), units);
-  const double curvature = body1.radius.curvature() + body2.radius.curvature();
-  if (!(curvature > least_curvature * (std::abs(body1.radius.curvature()) +
-                                       std::abs(body2.radius.curvature())))) {
-    table.table("body2").fail(
-        "radius",
-        fmt::format("{} with contact.body1.radius {}: {}", shown(body2.radius, units),
-                    shown(body1.radius, units),
-                    curvature > 0
-                        ? "a hollow must be wider than the cylinder in it by more than 1e-9 of "
-                          "its radius"
-                        : "1/radius1 + 1/radius2 must be greater than 0: at most one "
-                          "plane, and a hollow only if wider than the cylinder in it"));
-  }
-  const line_contact::CylinderPair cylinders(body1.material, body1.radius, body2.material,
-                                             body2.radius);
+  const auto cylinders = table.table("body2").at("radius", [&] {
+    return line_contact::CylinderPair(body1.material, body1.radius, body2.material, body2.radius);
+  });
   const long n_nodes = integer_in(table, "nodes", line_contact::min_nodes, line_contact::max_nodes);
   const double line_load = positive(table, "load", config::Dimension::line_load, units);
   const double datum = positive(table, "datum", config::Dimension::length, units);
