@@ -34,7 +34,6 @@ bool is_held(const Mesh& mesh, const Supports& supports, Index node, int compone
 
 Factorization::Factorization(std::shared_ptr<const Model> model, const Supports& supports)
     : model_(std::move(model)) {
-  require_no_rigid_motion(supports);
   number_unknowns(supports);
   matrix_ = assemble();
   factor_.compute(matrix_);  // S = L Lᵀ, after a renumbering that keeps L sparse

@@ -19,8 +19,8 @@ namespace block {
 /// factor LLᵀ is Eigen's, in approximate minimum degree order.
 class Factorization {
  public:
-  /// Assembles and factorises. Throws InvalidQuantity for supports that leave a rigid motion, and
-  /// FactorizationError if the matrix is not positive definite in floating point.
+  /// Assembles and factorises. Throws FactorizationError if the matrix is not positive definite in
+  /// floating point, such as for supports that leave a rigid motion.
   Factorization(std::shared_ptr<const Model> model, const Supports& supports);
 
   /// The displacement under a load on the top. Throws InvalidQuantity for a load outside the block

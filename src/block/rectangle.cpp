@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/rectangle.hpp"
 
-#include <algorithm>
-
 #include "system/require.hpp"
 
 namespace block {
@@ -23,17 +21,6 @@ MassProperties mass_properties(const Rectangle& block, double density) {
 
 Supports with_sides(Support sides) {
   return {.left = sides, .right = sides};
-}
-
-void require_no_rigid_motion(const Supports& supports) {
-  const Support sides = std::max(supports.left, supports.right);
-  const bool holds_x = sides >= Support::roller || supports.bottom == Support::clamped;
-  const bool holds_z = supports.bottom >= Support::roller || sides == Support::clamped;
-  const int n_prevented = (holds_x ? 1 : 0) + (holds_z ? 1 : 0) + (holds_x || holds_z ? 1 : 0);
-  if (n_prevented < 3) {
-    throw sys::InvalidQuantity("number of rigid motions the supports prevent", n_prevented,
-                               "3: clamp the bottom or a side");
-  }
 }
 
 }  // namespace block

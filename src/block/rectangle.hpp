@@ -49,7 +49,8 @@ enum class Support {
   clamped  ///< no displacement
 };
 
-/// The supports on three sides; the bottom is clamped by default. The top is free.
+/// The supports on three sides; the bottom is clamped by default. The top is free. They must
+/// prevent all rigid motions.
 struct Supports {
   Support left = Support::free;
   Support right = Support::free;
@@ -58,11 +59,5 @@ struct Supports {
 
 /// The same support on the left and right, with the bottom clamped: the cases of the report.
 Supports with_sides(Support sides);
-
-/// Throws InvalidQuantity unless the supports prevent all three rigid motions.
-///
-/// Any supported side prevents rotation. Translation along x remains if left and right are free and
-/// the bottom is not clamped, along z if the bottom is free and neither side is clamped.
-void require_no_rigid_motion(const Supports& supports);
 
 }  // namespace block
