@@ -104,11 +104,10 @@ Solution Factorization::solve(const elasticity::Load& load) const {
   // rounding: 1e-10 of the load here, 1e-9 in a block 1e5 times as large as its smallest element. A
   // factor that lost its digits leaves much more.
   constexpr double max_unbalanced = 1e-6;
-  Eigen::VectorXd reactions = -residual;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    if (numbers_[i] != held) reactions[static_cast<Index>(i)] = 0;
+    if (numbers_[i] == held) residual[static_cast<Index>(i)] = 0;
   }
-  const double unbalanced = (residual + reactions).norm() / forces.norm();
+  const double unbalanced = residual.norm() / forces.norm();
   if (!std::isfinite(unbalanced)) {
     throw FactorizationError(
         "the solution is not a finite number: the load, the material's moduli or the size of the "
@@ -119,7 +118,7 @@ Solution Factorization::solve(const elasticity::Load& load) const {
         "the solution leaves {:.2g} of the load unbalanced: the stiffness is too ill-conditioned",
         unbalanced));
   }
-  return {model_, std::move(displacements), forces, reactions};
+  return {model_, std::move(displacements), forces};
 }
 
 // Assembles f_e − Rᵀf_i, element by element, on the condensed unknowns.

@@ -12,24 +12,16 @@
 #include <utility>
 
 namespace block {
-namespace {
-
-Eigen::Vector2d sum_of(const Eigen::VectorXd& forces) {
-  return forces.reshaped(2, forces.size() / 2).rowwise().sum();
-}
-
-}  // namespace
 
 Abscissae::Abscissae(const LobattoBasis& basis, const Eigen::VectorXd& xi)
     : points(xi), values(basis.values_at(xi)), derivatives(basis.derivatives_at(xi)) {}
 
 Solution::Solution(std::shared_ptr<const Model> model, Eigen::VectorXd displacements,
-                   const Eigen::VectorXd& load, const Eigen::VectorXd& reactions)
+                   const Eigen::VectorXd& load)
     : model_(std::move(model)),
       displacements_(std::move(displacements)),
       strain_energy_(displacements_.dot(load) / 2),
-      applied_(sum_of(load)),
-      reaction_(sum_of(reactions)) {}
+      applied_(load.reshaped(2, load.size() / 2).rowwise().sum()) {}
 
 PointState Solution::at(double x, double z) const {
   const LocalPoint point = model_->mesh().locate(x, z);

@@ -30,10 +30,9 @@ struct Abscissae {
 /// The displacement of the whole block under one load, and the quantities derived from it.
 class Solution {
  public:
-  /// Three vectors of size 2·n_nodes: displacements, the nodal forces of the load, and the
-  /// reactions of the supports.
+  /// Two vectors of size 2·n_nodes: displacements, and the nodal forces of the load.
   Solution(std::shared_ptr<const Model> model, Eigen::VectorXd displacements,
-           const Eigen::VectorXd& load, const Eigen::VectorXd& reactions);
+           const Eigen::VectorXd& load);
 
   const Model& model() const { return *model_; }
 
@@ -51,18 +50,14 @@ class Solution {
   /// ½∫ σ·ε dx dz, energy per unit thickness: half the load times the displacement.
   double strain_energy() const { return strain_energy_; }
 
-  /// The force of the load and that of the supports, Ku − f summed over the fixed unknowns: (x, z)
-  /// per unit thickness. They are computed independently and balance to the accuracy of the
-  /// solution, better than 1e-10.
+  /// The force of the load, (x, z) per unit thickness.
   const Eigen::Vector2d& applied() const { return applied_; }
-  const Eigen::Vector2d& reaction() const { return reaction_; }
 
  private:
   std::shared_ptr<const Model> model_;
   Eigen::VectorXd displacements_;
   double strain_energy_;
   Eigen::Vector2d applied_;
-  Eigen::Vector2d reaction_;
 };
 
 /// One line of Appendix 2: its printed name and its value.

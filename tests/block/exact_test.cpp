@@ -201,7 +201,6 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_strains_a_free_block_and_one_between_rolle
         }
       }
       BOOST_TEST((solution.applied() - Eigen::Vector2d(0, 2.3 * pressure)).norm() < 1e-10);
-      BOOST_TEST(std::abs(solution.reaction().y() + 2.3 * pressure) < 1e-8);
     }
   }
 }

@@ -33,13 +33,11 @@ add_folder_library(command_line NO_HEAVY_COMPUTING
 
 # The mechanics
 add_folder_library(numerics
-  SOURCES
-    fit.cpp fourier.cpp kernel_integrals.cpp piecewise.cpp quadrature.cpp
+  SOURCES fit.cpp fourier.cpp kernel_integrals.cpp piecewise.cpp quadrature.cpp
   LINK errors estimate Eigen3::Eigen GSL::gsl ${FFTW3_LIBRARIES}
   PRIVATE_LINK fmt::fmt)
 add_folder_library(elasticity
-  SOURCES
-    line_potential.cpp loads.cpp material.cpp stress.cpp surface_quadrature.cpp
+  SOURCES line_potential.cpp loads.cpp material.cpp stress.cpp surface_quadrature.cpp
   LINK numerics)
 add_folder_library(contact
   SOURCES accuracy.cpp contact_search.cpp reference_methods.cpp
@@ -49,13 +47,11 @@ add_folder_library(line_contact
     cylinders.cpp element.cpp influence_operator.cpp methods.cpp nested_grids.cpp problem.cpp projected_cg.cpp solution.cpp
   LINK contact elasticity Eigen3::Eigen)
 add_folder_library(point_contact
-  SOURCES
-    element.cpp hertz.cpp influence_operator.cpp methods.cpp problem.cpp projected_cg.cpp solution.cpp
+  SOURCES element.cpp hertz.cpp influence_operator.cpp methods.cpp problem.cpp projected_cg.cpp solution.cpp
   LINK contact numerics Eigen3::Eigen
   PRIVATE_LINK fmt::fmt)
 add_folder_library(block
-  SOURCES
-    analysis.cpp element.cpp factorization.cpp mesh.cpp model.cpp rectangle.cpp solution.cpp
+  SOURCES analysis.cpp element.cpp factorization.cpp mesh.cpp model.cpp rectangle.cpp solution.cpp
   LINK elasticity Eigen3::Eigen
   PRIVATE_LINK GSL::gsl fmt::fmt)
 
@@ -67,9 +63,8 @@ add_folder_library(parameters NO_HEAVY_COMPUTING
 add_folder_library(paper
   SOURCES
     block_section.cpp block_study.cpp contact_m.cpp contact_m_section.cpp conventions.cpp cylinders_section.cpp
-    elements_section.cpp error_analysis_section.cpp formulation_section.cpp load.cpp load_fit.cpp
-    paper.cpp printed_data.cpp quadrature_section.cpp results_section.cpp run.cpp spheres_section.cpp
-    tangential_section.cpp
+    elements_section.cpp error_analysis_section.cpp formulation_section.cpp load.cpp load_fit.cpp paper.cpp
+    printed_data.cpp quadrature_section.cpp results_section.cpp run.cpp spheres_section.cpp tangential_section.cpp
   LINK literate parameters point_contact
   PRIVATE_LINK config system block line_contact elasticity fmt::fmt Eigen3::Eigen)
 
