@@ -153,7 +153,7 @@ void compare_figure5(Document& document, const HalfSpaceCase& c, const UnitSyste
 void check_measures(Document& document, const PrintedData& printed) {
   bool agree = true;
   for (std::size_t i = 0; i < printed.figure5.fea_z.size(); ++i) {
-    const PrintedNumber& in_summary = measure(printed, fmt::format("measure{}", i + 1));
+    const PrintedNumber in_summary = measure(printed, fmt::format("measure{}", i + 1));
     agree = agree && -in_summary.value() == printed.figure5.fea_z[i].value();
   }
   document.check("fea-z-are-measures", agree,

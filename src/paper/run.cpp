@@ -284,7 +284,7 @@ void tabulate_measures(Document& document, const Case& from, const BlockStudy& s
                                       Column("inferred load (\\%)", fixed(2)).under(group)});
   for (const char* name : {"resultant_load_y", "strain_energy", "max_disp_x", "max_stress_yy",
                            "max_stress_xx", "max_stress_zz", "max_stress_vm", "max_stress_xy"}) {
-    const PrintedNumber& number = measure(printed, name);
+    const PrintedNumber number = measure(printed, name);
     const Value value = Value(number.value(), significant(4), unit_of(name, from.units)).as_is();
     const bool converges = printed.appendix2.convergence.contains(name);
     table.add_row({Cell::latex(description_of(name)), Cell::latex(value.latex()),

@@ -144,8 +144,9 @@ BOOST_AUTO_TEST_CASE(mcewens_stresses_are_accurate_to_2e_15_from_the_surface_to_
 BOOST_AUTO_TEST_CASE(mcewens_stresses_agree_with_the_quadrature_of_line_forces) {
   // Johnson (2.23) with s = a sin φ, which removes the root from the pressure.
   numerics::Quadrature quadrature;
-  for (const auto& [x, z] : {std::pair{0.3, 0.4}, {-0.8, 0.15}, {1.0, 0.385}, {0.0, 5.0}}) {
-    const auto integral = [&, x = x, z = z](int power) {
+  for (const auto& point : {std::pair{0.3, 0.4}, {-0.8, 0.15}, {1.0, 0.385}, {0.0, 5.0}}) {
+    const double x = point.first, z = point.second;
+    const auto integral = [&](int power) {
       const auto force = [&](double angle) {
         const double t = x - std::sin(angle);
         return -2 / pi * p0 * std::pow(std::cos(angle), 2) * std::pow(t, power) *
