@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -15,6 +16,7 @@ namespace literate {
 namespace {
 
 constexpr int most_limit_digits = 17;
+constexpr std::array<std::string_view, 4> names_of_kinds{"theory", "data", "method", "choice"};
 
 /// The number as it is printed and tested.
 double printed(double number, int n_digits) {
@@ -32,8 +34,14 @@ double printed(double number, int n_digits) {
 }  // namespace
 
 std::string_view name_of(LimitKind kind) {
-  constexpr std::array names{"theory", "data", "method", "choice"};
-  return names.at(static_cast<std::size_t>(kind));
+  return names_of_kinds.at(static_cast<std::size_t>(kind));
+}
+
+LimitKind limit_kind_named(std::string_view name) {
+  const auto* const found = std::ranges::find(names_of_kinds, name);
+  if (found != names_of_kinds.end()) return static_cast<LimitKind>(found - names_of_kinds.begin());
+  throw std::invalid_argument(
+      fmt::format("'{}' is not a kind of limit: theory, data, method or choice", name));
 }
 
 Limit::Limit(numerics::Estimate number, LimitKind kind, std::string reason, int n_digits)

@@ -20,6 +20,9 @@ enum class LimitKind {
 /// Returns theory, data, method or choice.
 std::string_view name_of(LimitKind kind);
 
+/// Returns the kind with this name. Throws std::invalid_argument for any other text.
+LimitKind limit_kind_named(std::string_view name);
+
 /// The number that decides a criterion, with the reason for it (LaTeX): {0.1, LimitKind::choice,
 /// "what a plot shows"}.
 ///

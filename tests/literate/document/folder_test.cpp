@@ -8,7 +8,7 @@
 #include <string>
 
 #include "holds.hpp"
-#include "literate/results/read_document.hpp"
+#include "literate/document/read_document.hpp"
 #include "message_of.hpp"
 #include "pendulum/pendulum.hpp"
 #include "system/error.hpp"

@@ -77,7 +77,7 @@ class Module(unittest.TestCase):
         except ImportError:
             self.skipTest("python3-jsonschema is not installed")
         self.run_script(EVERYTHING)
-        for schema, written in ((ENGINE / "results" / "document.schema.json", "out.json"),
+        for schema, written in ((ENGINE / "document" / "registered.schema.json", "out.json"),
                                 (ENGINE / "document" / "results.schema.json", "generated/results.json")):
             with self.subTest(written):
                 errors = Draft202012Validator(json.loads(schema.read_text())).iter_errors(json.loads((self.folder / written).read_text()))

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "literate/main/run.hpp"
-#include "literate/results/read_document.hpp"
+#include "literate/document/read_document.hpp"
 
 int main(int argc, char** argv) {
   constexpr const char* usage =
