@@ -91,7 +91,7 @@ std::string Value::latex() const {
   if (is_text()) return latex_escaped(text_);
   if (!problem_.empty()) throw std::invalid_argument(problem_);
   return latex_print(rounded(*format_, number_, known_),
-                     is_percentage() ? "\\%" : latex_unit(unit_), is_attached(unit_));
+                     is_percentage() ? "\\%" : latex_unit(unit_));
 }
 
 Value Value::formatted(const Format& format) const {
