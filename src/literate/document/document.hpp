@@ -65,12 +65,6 @@ class Document {
   /// counts beside the elapsed seconds. Any thread may call this.
   void progress(long done, long total);
 
-  /// Returns a registered value or table. Throws Error with the nearest name if there is none.
-  const Value& value(const std::string& key,
-                     const Place& place = std::source_location::current()) const;
-  const Table& table(const std::string& name,
-                     const Place& place = std::source_location::current()) const;
-
   /// Everything registered, by name. Checks and claims are in the order of registration; the first
   /// claim is claim 1.
   const std::map<std::string, Value>& values() const { return values_; }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -12,7 +11,6 @@
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
 #include "system/csv.hpp"
-#include "system/nearest_name.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -99,18 +97,6 @@ Table& Table::note(std::string text, const Place& place) {
     fail_at(place, fmt::format("table '{}', note: {}", name_, error.what()));
   }
   return *this;
-}
-
-std::size_t Table::column(const std::string& heading, const Place& place) const {
-  const auto n_found = std::ranges::count(columns_, heading, &Column::heading);
-  if (n_found == 1) {
-    const auto found = std::ranges::find(columns_, heading, &Column::heading);
-    return static_cast<std::size_t>(found - columns_.begin());
-  }
-  std::set<std::string> headings;
-  for (const Column& column : columns_) headings.insert(column.heading());
-  fail_at(place, fmt::format("table '{}' has {} columns '{}'{}", name_, n_found, heading,
-                             n_found > 1 ? "" : sys::suggestion(heading, headings)));
 }
 
 std::string Table::latex() const {

@@ -61,15 +61,6 @@ BOOST_AUTO_TEST_CASE(invalid_registrations_are_refused_with_line_and_key) {
       holds(refused([&] { document.claim("c", {.route = "r"}); }), "claim 'c' has no criterion"));
 }
 
-BOOST_AUTO_TEST_CASE(an_unknown_name_is_refused_with_the_nearest_one) {
-  Document document;
-  document.value("period", Value(2, exact(), "s"));
-  BOOST_TEST(document.value("period").printed() == "2 s");
-  BOOST_TEST(holds(refused([&] { (void)document.value("perod"); }),
-                   "no value 'perod' is registered, did you mean 'period'?"));
-  BOOST_TEST(holds(refused([&] { (void)document.table("t"); }), "no table 't' is registered"));
-}
-
 BOOST_AUTO_TEST_CASE(faults_are_failed_checks_and_unexpected_verdicts) {
   Document document;
   document.check("good", {at_most_one(1)}, "one at most");
