@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "literate/claims/claim.hpp"
+#include "literate/claims/criterion.hpp"
 #include "literate/figures/figure.hpp"
 #include "literate/tables/table.hpp"
 #include "literate/text/place.hpp"

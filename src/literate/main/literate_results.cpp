@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "literate/main/run.hpp"
 #include "literate/document/read_document.hpp"
+#include "literate/main/main.hpp"
 
 int main(int argc, char** argv) {
   constexpr const char* usage =

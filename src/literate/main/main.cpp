@@ -14,7 +14,6 @@
 #include <thread>
 
 #include "literate/document/folder.hpp"
-#include "literate/main/run.hpp"
 #include "system/error.hpp"
 
 namespace literate {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "literate/tables/cell.hpp"
 #include "literate/tables/column.hpp"
 #include "literate/values/rounding.hpp"
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "literate/tables/cell.hpp"
 #include "literate/tables/column.hpp"
 #include "literate/text/place.hpp"
 

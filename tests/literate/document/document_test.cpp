@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "holds.hpp"
-#include "literate/document/values_tex.hpp"
 #include "message_of.hpp"
 
 using literate::Column;
@@ -76,7 +75,6 @@ BOOST_AUTO_TEST_CASE(faults_are_failed_checks_and_unexpected_verdicts) {
   BOOST_TEST(holds(faults[1], ": check 'fact' failed: it is so"));
   BOOST_TEST(
       holds(faults[2], ": claim 'unexpected': fails, expected holds; count: 2 (≤ 1): fails"));
-  BOOST_TEST(holds(values_tex(document, "c"), "\\LiterateFailed{3}\n"));
 }
 
 BOOST_AUTO_TEST_CASE(append_keeps_the_order_of_both_parts) {
