@@ -7,7 +7,7 @@
 
 namespace literate {
 
-/// Reads the document that a script in any language wrote. registered.schema.json in this folder
+/// Reads the document that a script in any language wrote. results.schema.json in this folder
 /// describes it; the rules are those of a C++ program. An entry without a place gets the name of
 /// the file. Throws Error «FILE: …» with the entry for invalid JSON, a repeated key, an unknown key
 /// (with the nearest known one), a wrong type, a different schema, and whatever Document refuses.

@@ -16,10 +16,7 @@ HERE = pathlib.Path(__file__).resolve().parents[1]
 SOURCE, PENDULUM, RESULTS = (pathlib.Path(argument) for argument in sys.argv[1:4])
 ENGINE = SOURCE / "src/literate"
 REGISTERED = json.loads((HERE / "pendulum/registered.json").read_text())
-
-
-def validator(name):
-    return jsonschema.Draft202012Validator(json.loads((ENGINE / name).read_text()))
+SCHEMA = jsonschema.Draft202012Validator(json.loads((ENGINE / "document/results.schema.json").read_text()))
 
 
 class Folder(unittest.TestCase):
@@ -60,7 +57,7 @@ class Program(Folder):
         ended = self.compute(self.case)
         self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (0, "", ""))
         results = json.loads((self.output / "results.json").read_text())
-        validator("document/results.schema.json").validate(results)
+        SCHEMA.validate(results)
         found = sorted(str(file.relative_to(self.output)) for file in self.output.rglob("*") if file.is_file())
         self.assertEqual(found, sorted(results["files"] + ["results.json"]))
 
@@ -107,9 +104,9 @@ class Registered(Folder):
         return registered
 
     def test_the_document_of_a_script_follows_its_schema(self):
-        validator("document/registered.schema.json").validate(REGISTERED)
+        SCHEMA.validate(REGISTERED)
         self.assertEqual(self.results_of(REGISTERED).returncode, 0)
-        validator("document/results.schema.json").validate(json.loads((self.output / "results.json").read_text()))
+        SCHEMA.validate(json.loads((self.output / "results.json").read_text()))
 
     def test_every_kind_of_criterion_is_read(self):
         quantity = {"number": 1.0, "bound": 0.1, "format": "fixed(1)"}
@@ -118,7 +115,7 @@ class Registered(Folder):
         criteria = [one, {**one, "test": "agrees", "stated": quantity},
                     {"name": "x", "test": "in_each", "cases": "points", "each": [one, one]}]
         registered = {"schema": 1, "claims": {"c": {"route": "r", "expected": "holds", "criteria": criteria, "place": "fit.py:3"}}}
-        validator("document/registered.schema.json").validate(registered)
+        SCHEMA.validate(registered)
         self.assertEqual(self.results_of(registered).returncode, 0)
         results = json.loads((self.output / "results.json").read_text())
         self.assertEqual(results["claims"]["c"]["place"], "fit.py:3")
@@ -128,7 +125,7 @@ class Registered(Folder):
         self.assertEqual((ended.returncode, ended.stderr), (1, "fit.py:9: check 'c' failed: s\n"))
 
     def test_each_mistake_is_one_line_with_file_and_key(self):
-        valid = validator("document/registered.schema.json").is_valid
+        valid = SCHEMA.is_valid
         value = {"number": 1.5, "bound": 0.1, "format": "fixed(1)"}
 
         def values(**changes):
