@@ -20,15 +20,11 @@ namespace {
 constexpr std::array<std::string_view, 4> names_of_verdicts{"holds", "holds in part", "fails",
                                                             "undecided"};
 
-constexpr int most_limit_digits = 17;
 constexpr std::array<std::string_view, 4> names_of_kinds{"theory", "data", "method", "choice"};
 
 /// The number of a limit as it is printed and tested.
-double printed(double number, int n_digits) {
+double printed(double number) {
   if (!std::isfinite(number)) return number;
-  if (n_digits > 0 && n_digits <= most_limit_digits) {
-    return number_of(rounded_to_digits(number, n_digits));
-  }
   // Digits after the twelfth are rounding errors: 3 · 0.001 is 0.003.
   constexpr int n_meant = 12, n_all = 6, n_else = 3;
   const double meant = number_of(rounded_to_digits(number, n_meant));
@@ -60,12 +56,6 @@ void require_same_unit(const Value& a, const Value& b) {
   if (unit_of(a) == unit_of(b)) return;
   throw std::invalid_argument(fmt::format("{} has {} and {} has {}: give both in the same unit",
                                           a.printed(), unit_of(a), b.printed(), unit_of(b)));
-}
-
-void require_distance(const Limit& tolerance) {
-  if (tolerance.number() >= 0) return;
-  throw std::invalid_argument(
-      fmt::format("the limit of a difference is 0 or more, not {}", tolerance.number()));
 }
 
 /// The number with its errors; a number of unknown error counts as exact.
@@ -153,13 +143,11 @@ LimitKind limit_kind_named(std::string_view name) {
       fmt::format("'{}' is not a kind of limit: theory, data, method or choice", name));
 }
 
-Limit::Limit(numerics::Estimate number, LimitKind kind, std::string reason, int n_digits)
-    : number_(printed(number.value, n_digits)),
-      unrounded_(number.value),
+Limit::Limit(numerics::Estimate number, LimitKind kind, std::string reason)
+    : number_(printed(number.value)),
       bound_(number.abs_error),
       kind_(kind),
-      reason_(std::move(reason)),
-      n_digits_(n_digits) {}
+      reason_(std::move(reason)) {}
 
 Limit Limit::counting(double k) const {
   Limit limit = *this;
@@ -169,12 +157,9 @@ Limit Limit::counting(double k) const {
 
 void Limit::require_valid() const {
   const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
-  if (!std::isfinite(unrounded_)) refuse(fmt::format("the limit {} is not finite", unrounded_));
+  if (!std::isfinite(number_)) refuse(fmt::format("the limit {} is not finite", number_));
   if (!(std::isfinite(bound_) && bound_ >= 0)) {
     refuse(fmt::format("the error {} of the limit is not finite or below zero", bound_));
-  }
-  if (n_digits_ < 0 || n_digits_ > most_limit_digits) {
-    refuse(fmt::format("{} digits of a limit: there are 1 to {}", n_digits_, most_limit_digits));
   }
   if (n_counted_ && !(std::isfinite(*n_counted_) && *n_counted_ > 0)) {
     refuse(fmt::format("counting({}): must be finite and positive", *n_counted_));
@@ -223,14 +208,6 @@ void Criterion::decide(const Value& tested, Side side, const Place& place) {
   if (tested.number() > 0 && limit > 0) {
     margin_.factor = std::max(tested.number() / limit, limit / tested.number());
   }
-  const Verdict of_unrounded = outcome_of(sign * (tested.number() - limit_.unrounded()), unsure);
-  if (of_unrounded != verdict_) {
-    fail_at(place,
-            fmt::format("criterion '{}': {} {} against the limit {} and {} against {}, as it is "
-                        "printed: give the limit more digits",
-                        name_, round_trip(tested.number()), name_of(of_unrounded),
-                        round_trip(limit_.unrounded()), name_of(verdict_), round_trip(limit)));
-  }
   if (verdict_ == Verdict::undecided) {
     const double printed = number_of(rounded_up_to_digits(unsure, 2));
     missing_ = fmt::format("an error of {} reaches across the limit",
@@ -270,7 +247,6 @@ Criterion Criterion::agrees(std::string name, const Value& computed, const Value
     require_number(computed);
     require_number(stated);
     require_same_unit(computed, stated);
-    require_distance(tolerance);
     return difference(computed, stated);
   });
   const bool are_counts = computed.format().notation() == Notation::integer && apart.is_exact();
@@ -296,7 +272,6 @@ Criterion Criterion::agrees_relatively(std::string name, const Value& computed, 
     require_number(computed);
     require_number(stated);
     require_same_unit(computed, stated);
-    require_distance(tolerance);
     return relative_difference(computed, stated);
   });
   const auto in_percent = [](double ratio, const Format& format) {

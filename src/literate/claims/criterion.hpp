@@ -29,23 +29,21 @@ LimitKind limit_kind_named(std::string_view name);
 /// The number that decides a criterion, with the reason for it (LaTeX): {0.1, LimitKind::choice,
 /// "what a plot shows"}.
 ///
-/// The criterion tests the rounded number that it prints: with `n_digits` digits if given, else
-/// with all of its digits up to six, else with three. `number.abs_error` bounds the error of the
-/// limit itself. Criteria refuse a limit that is not finite, has no reason, or would decide
-/// differently before rounding.
+/// The criterion tests the rounded number that it prints: with all of its digits up to six, else
+/// with three. `number.abs_error` bounds the error of the limit itself. Criteria refuse a limit
+/// that is not finite or has no reason.
 class Limit {
  public:
-  Limit(numerics::Estimate number, LimitKind kind, std::string reason, int n_digits = 0);
-  Limit(double number, LimitKind kind, std::string reason, int n_digits = 0)
-      : Limit(numerics::Estimate{number, 0}, kind, std::move(reason), n_digits) {}
+  Limit(numerics::Estimate number, LimitKind kind, std::string reason);
+  Limit(double number, LimitKind kind, std::string reason)
+      : Limit(numerics::Estimate{number, 0}, kind, std::move(reason)) {}
 
   /// Returns this limit for a quantity with a standard uncertainty: `k` > 0 of them count as its
   /// error. k = 2 covers about 95 % of a normal distribution.
   Limit counting(double k) const;
 
-  /// The number that is printed and tested, and the one that was given.
+  /// The number that is printed and tested.
   double number() const { return number_; }
-  double unrounded() const { return unrounded_; }
   double bound() const { return bound_; }
   LimitKind kind() const { return kind_; }
   const std::string& reason() const { return reason_; }
@@ -57,11 +55,9 @@ class Limit {
 
  private:
   double number_ = 0;
-  double unrounded_;
   double bound_;
   LimitKind kind_;
   std::string reason_;
-  int n_digits_;
   std::optional<double> n_counted_ = {};
 };
 

@@ -36,7 +36,6 @@ void Document::remember(const std::string& kind, const std::string& name, const 
     fail_at(place,
             fmt::format("{} '{}' is registered twice, first at {}", kind, name, entry->second));
   }
-  last_registered_ = fmt::format("{} '{}' ({})", kind, name, place.text);
 }
 
 template <typename Make>

@@ -82,8 +82,6 @@ class Document {
 
   /// The counts of progress(). They stay valid when the document is moved.
   std::shared_ptr<const Progress> progress_so_far() const { return progress_; }
-  /// The last registration, «value 'x' (src/main.cpp:31)»; empty before the first.
-  const std::string& last_registered() const { return last_registered_; }
 
  private:
   void remember(const std::string& kind, const std::string& name, const Place& place);
@@ -99,7 +97,6 @@ class Document {
   std::vector<std::pair<std::string, Check>> checks_;
   std::vector<std::pair<std::string, Claim>> claims_;
   std::map<std::pair<std::string, std::string>, std::string> places_;  // by kind and name
-  std::string last_registered_;
   std::shared_ptr<Progress> progress_ = std::make_shared<Progress>();
 };
 

@@ -51,23 +51,6 @@ class Clock {
   std::optional<std::jthread> thread_;
 };
 
-/// Computes. An exception from the author's code has no place, so it becomes a ComputationError
-/// that names the last registration.
-Document computed(const Compute& compute, const fs::path& case_file) {
-  Document document;
-  const Clock clock(document.progress_so_far());
-  try {
-    compute(document, case_file);
-  } catch (const sys::Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    const std::string& last = document.last_registered();
-    throw sys::ComputationError(fmt::format(
-        "{} ({})", error.what(), last.empty() ? "before any registration" : "after " + last));
-  }
-  return document;
-}
-
 }  // namespace
 
 int run(const std::function<sys::ExitCode()>& program) {
@@ -79,7 +62,7 @@ int run(const std::function<sys::ExitCode()>& program) {
     // 1 would mean that the folder is complete.
     if (error.exit_code() != sys::ExitCode::failed) exit_code = error.exit_code();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "the computation failed: {}\n", error.what());
   }
   return static_cast<int>(exit_code);
 }
@@ -109,7 +92,11 @@ int main(int argc, char** argv, const Compute& compute) {
   }
   return run([&] {
     const fs::path case_file = argv[2];
-    const Document document = computed(compute, case_file);
+    Document document;
+    {
+      const Clock clock(document.progress_so_far());
+      compute(document, case_file);
+    }
     return write_and_report(document, argv[3], case_file.filename().string());
   });
 }

@@ -50,21 +50,6 @@ Value Value::text(std::string_view text) {
   return value;
 }
 
-Value Value::within(double bound) const {
-  Value value = *this;
-  if (is_text() || known_ || is_as_is_) {
-    value.problem_ = fmt::format("within({}): it is a text, or its error is known already", bound);
-  } else if (!(bound > 0)) {
-    value.problem_ = fmt::format(
-        "within({}): an exact number is printed by exact() or integer(), and one that is printed "
-        "as it came by .as_is()",
-        bound);
-  } else {
-    value = Value(Number(number_, bound), *format_, unit_);
-  }
-  return value;
-}
-
 Value Value::as_is() const {
   Value value = *this;
   value.is_as_is_ = true;

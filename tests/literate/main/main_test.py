@@ -84,8 +84,7 @@ class Program(Folder):
     def test_a_failed_computation_exits_with_3_and_writes_nothing(self):
         ended = self.compute(self.case.replace("90", "-1"))
         self.assertEqual((ended.returncode, self.output.exists()), (3, False))
-        place = r"tests/\w+/pendulum/pendulum.cpp:\d+"
-        self.assertRegex(ended.stderr, rf"^the computation failed: no swing \(after value 'gravity' \({place}\)\)\n$")
+        self.assertEqual(ended.stderr, "the computation failed: no swing\n")
 
     def test_usage(self):
         for arguments in [(), ("draw",), ("compute", "case.toml")]:
@@ -110,7 +109,7 @@ class Registered(Folder):
 
     def test_every_kind_of_criterion_is_read(self):
         quantity = {"number": 1.0, "bound": 0.1, "format": "fixed(1)"}
-        limit = {"number": 2, "kind": "method", "reason": "x", "bound": 0.1, "counting": 2, "digits": 4}
+        limit = {"number": 2, "kind": "method", "reason": "x", "bound": 0.1, "counting": 2}
         one = {"name": "x", "test": "at_most", "quantity": quantity, "limit": limit}
         criteria = [one, {**one, "test": "agrees", "stated": quantity},
                     {"name": "x", "test": "in_each", "cases": "points", "each": [one, one]}]
