@@ -7,7 +7,7 @@
 #include <string>
 
 #include "system/error.hpp"
-#include "system/tool.hpp"
+#include "system/files.hpp"
 
 /// Ends the program as skipped, with one line that names the untested feature and the reason.
 [[noreturn]] inline void skip_tests(const std::string& untested, const std::string& why) {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "system/files.hpp"
-#include "system/nearest_name.hpp"
+#include "system/text.hpp"
 
 namespace config {
 namespace {

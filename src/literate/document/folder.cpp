@@ -11,8 +11,8 @@
 #include "literate/document/results_json.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
-#include "system/csv.hpp"
 #include "system/files.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@
 
 #include "literate/document/results_json.hpp"
 #include "system/files.hpp"
-#include "system/nearest_name.hpp"
+#include "system/text.hpp"
 
 namespace literate {
 namespace {

@@ -3,13 +3,14 @@
 
 #include <fmt/core.h>
 #include <gnuplot-iostream.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstdio>
 #include <locale>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -67,15 +68,14 @@ void require_columns(const std::string& block, const FigureData& data) {
 /// Captures the commands that `write` sends to gnuplot.
 template <typename Write>
 std::string sent(Write&& write) {
-  const sys::Descriptor memory(::memfd_create("figure", MFD_CLOEXEC));
-  std::FILE* const file = ::fdopen(::dup(memory.number()), "w");  // the stream closes it
-  if (file == nullptr) throw sys::OutputError("there is no memory for the data of a figure");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+  if (!file) throw sys::OutputError("cannot make a temporary file for the data of a figure");
   {
-    gnuplotio::Gnuplot script(file);
+    gnuplotio::Gnuplot script(::fdopen(::dup(::fileno(file.get())), "w"));  // closes the copy
     script.imbue(std::locale::classic());
     write(script);
   }
-  return sys::read_file(fmt::format("/proc/self/fd/{}", memory.number()));
+  return sys::read_file(fmt::format("/proc/self/fd/{}", ::fileno(file.get())));
 }
 
 // gnuplot reads a number without point or exponent as an integer, and computes 1/2 = 0 from it.

@@ -10,7 +10,6 @@
 #include "literate/tables/printed_column.hpp"
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"
-#include "system/csv.hpp"
 #include "system/text.hpp"
 
 namespace literate {
