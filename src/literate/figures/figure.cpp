@@ -11,7 +11,6 @@
 #include <cstdio>
 #include <locale>
 #include <memory>
-#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -42,13 +41,10 @@ void require_columns(const std::string& block, const FigureData& data) {
   const auto refuse = [&block](const std::string& why) {
     throw std::invalid_argument(fmt::format("data '{}' {}", block, why));
   };
-  if (data.columns.empty()) refuse("has no columns");
+  if (data.columns.empty() || data.columns.front().second.empty()) refuse("has no points");
   const auto& [first_name, first] = data.columns.front();
-  if (first.empty()) refuse("has no points");
-  std::set<std::string> names;
   for (const auto& [name, numbers] : data.columns) {
     require_identifier(name);
-    if (!names.insert(name).second) refuse(fmt::format("has two columns '{}'", name));
     if (numbers.size() != first.size()) {
       refuse(fmt::format("has {} points in column '{}' and {} in '{}'", first.size(), first_name,
                          numbers.size(), name));
@@ -58,10 +54,6 @@ void require_columns(const std::string& block, const FigureData& data) {
       refuse(fmt::format("has {} as point {} of column '{}': must be finite, or literate::gap",
                          numbers[i], i + 1, name));
     }
-  }
-  if (data.row_length != 0 && first.size() % data.row_length != 0) {
-    refuse(
-        fmt::format("has {} points, which do not make rows of {}", first.size(), data.row_length));
   }
 }
 
@@ -110,26 +102,18 @@ void require_drawable(const Figure& figure) {
     throw std::invalid_argument(fmt::format("its size is {} cm by {} cm: both must be positive",
                                             figure.width_cm, figure.height_cm));
   }
-  std::set<std::string> names = {"width_cm", "height_cm"};
-  const auto require_name = [&names](const std::string& name) {
-    require_identifier(name);
-    if (names.insert(name).second) return;
-    throw std::invalid_argument(fmt::format("the name '{}' is given twice", name));
-  };
   for (const auto& [block, data] : figure.data) {
-    require_name(block);
+    require_identifier(block);
     require_columns(block, data);
   }
   for (const auto& [name, number] : figure.numbers) {
-    require_name(name);
+    require_identifier(name);
     if (std::isfinite(number)) continue;
     throw std::invalid_argument(fmt::format("the number '{}' is {}", name, number));
   }
   for (const auto& [name, text] : figure.texts) {
-    require_name(name);
+    require_identifier(name);
     require_utf8(text);
-    if (text.find('\n') == text.npos) continue;
-    throw std::invalid_argument(fmt::format("the text '{}' has more than one line", name));
   }
 }
 
