@@ -9,7 +9,6 @@
 
 #include "literate/text/place.hpp"
 #include "literate/values/format.hpp"
-#include "literate/values/number.hpp"
 
 namespace literate {
 

@@ -7,7 +7,6 @@
 
 #include "literate/values/decimal.hpp"
 #include "literate/values/format.hpp"
-#include "literate/values/number.hpp"
 
 namespace literate {
 

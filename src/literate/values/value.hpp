@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "literate/values/format.hpp"
-#include "literate/values/number.hpp"
 
 namespace literate {
 
