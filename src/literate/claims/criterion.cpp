@@ -143,11 +143,8 @@ LimitKind limit_kind_named(std::string_view name) {
       fmt::format("'{}' is not a kind of limit: theory, data, method or choice", name));
 }
 
-Limit::Limit(numerics::Estimate number, LimitKind kind, std::string reason)
-    : number_(printed(number.value)),
-      bound_(number.abs_error),
-      kind_(kind),
-      reason_(std::move(reason)) {}
+Limit::Limit(double number, LimitKind kind, std::string reason)
+    : number_(printed(number)), kind_(kind), reason_(std::move(reason)) {}
 
 Limit Limit::counting(double k) const {
   Limit limit = *this;
@@ -158,9 +155,6 @@ Limit Limit::counting(double k) const {
 void Limit::require_valid() const {
   const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
   if (!std::isfinite(number_)) refuse(fmt::format("the limit {} is not finite", number_));
-  if (!(std::isfinite(bound_) && bound_ >= 0)) {
-    refuse(fmt::format("the error {} of the limit is not finite or below zero", bound_));
-  }
   if (n_counted_ && !(std::isfinite(*n_counted_) && *n_counted_ > 0)) {
     refuse(fmt::format("counting({}): must be finite and positive", *n_counted_));
   }
@@ -198,9 +192,8 @@ Criterion::Criterion(std::string name, Limit limit, const Place& place)
 }
 
 void Criterion::decide(const Value& tested, Side side, const Place& place) {
-  const double error = at(place, name_, [&] { return error_of(tested, limit_); });
+  const double unsure = at(place, name_, [&] { return error_of(tested, limit_); });
   const double sign = side == Side::at_most ? 1 : -1;
-  const double unsure = add_up(error, limit_.bound());
   const double limit = limit_.number();
   excess_ = sign * (tested.number() - limit);
   verdict_ = outcome_of(excess_, unsure);
@@ -212,9 +205,9 @@ void Criterion::decide(const Value& tested, Side side, const Place& place) {
     const double printed = number_of(rounded_up_to_digits(unsure, 2));
     missing_ = fmt::format("an error of {} reaches across the limit",
                            limit_like(printed, tested).printed());
-    found_ = undecided_phrase(tested, error, limit);
+    found_ = undecided_phrase(tested, unsure, limit);
   } else {
-    found_ = found_phrase(tested, error, limit, side);
+    found_ = found_phrase(tested, unsure, limit, side);
   }
 }
 

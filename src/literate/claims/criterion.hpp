@@ -30,13 +30,10 @@ LimitKind limit_kind_named(std::string_view name);
 /// "what a plot shows"}.
 ///
 /// The criterion tests the rounded number that it prints: with all of its digits up to six, else
-/// with three. `number.abs_error` bounds the error of the limit itself. Criteria refuse a limit
-/// that is not finite or has no reason.
+/// with three. Criteria refuse a limit that is not finite or has no reason.
 class Limit {
  public:
-  Limit(numerics::Estimate number, LimitKind kind, std::string reason);
-  Limit(double number, LimitKind kind, std::string reason)
-      : Limit(numerics::Estimate{number, 0}, kind, std::move(reason)) {}
+  Limit(double number, LimitKind kind, std::string reason);
 
   /// Returns this limit for a quantity with a standard uncertainty: `k` > 0 of them count as its
   /// error. k = 2 covers about 95 % of a normal distribution.
@@ -44,7 +41,6 @@ class Limit {
 
   /// The number that is printed and tested.
   double number() const { return number_; }
-  double bound() const { return bound_; }
   LimitKind kind() const { return kind_; }
   const std::string& reason() const { return reason_; }
   /// How many standard uncertainties count; none if counting() was not called.
@@ -55,7 +51,6 @@ class Limit {
 
  private:
   double number_ = 0;
-  double bound_;
   LimitKind kind_;
   std::string reason_;
   std::optional<double> n_counted_ = {};
@@ -66,7 +61,7 @@ enum class Verdict {
   holds,
   holds_in_part,  ///< in some of the cases, or for some of the criteria, but not all
   fails,
-  undecided,  ///< the error of the quantity, or of the limit, reaches across the limit
+  undecided,  ///< the error of the quantity reaches across the limit
 };
 
 /// Returns «holds», «holds in part», «fails» or «undecided».
@@ -77,7 +72,7 @@ Verdict verdict_named(std::string_view name);
 
 /// How far a criterion is from a different outcome.
 struct Margin {
-  /// Distance between quantity and limit, divided by their combined error; none if both are exact.
+  /// Distance between quantity and limit, divided by the quantity's error; none if it is exact.
   std::optional<double> errors;
   /// The factor ≥ 1 between the quantity (or the tested difference) and its limit; none unless both
   /// are positive.

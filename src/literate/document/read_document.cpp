@@ -133,9 +133,9 @@ Figure figure_of(const Json& json) {
 }
 
 Limit limit_of(const Json& json) {
-  require_keys(json, {"number", "bound", "kind", "reason", "counting"});
-  const numerics::Estimate number{json.at("number").get<double>(), json.value("bound", 0.0)};
-  const Limit limit(number, limit_kind_named(text_of(json.at("kind"))), text_of(json.at("reason")));
+  require_keys(json, {"number", "kind", "reason", "counting"});
+  const Limit limit(json.at("number").get<double>(), limit_kind_named(text_of(json.at("kind"))),
+                    text_of(json.at("reason")));
   return json.contains("counting") ? limit.counting(json.at("counting").get<double>()) : limit;
 }
 

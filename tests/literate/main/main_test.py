@@ -118,7 +118,7 @@ class Registered(Folder):
 
     def test_every_kind_of_criterion_is_read(self):
         quantity = {"number": 1.0, "bound": 0.1, "format": "fixed(1)"}
-        limit = {"number": 2, "kind": "method", "reason": "x", "bound": 0.1, "counting": 2}
+        limit = {"number": 2, "kind": "method", "reason": "x", "counting": 2}
         one = {"name": "x", "test": "at_most", "quantity": quantity, "limit": limit}
         criteria = [one, {**one, "test": "agrees", "stated": quantity},
                     {"name": "x", "test": "in_each", "cases": "points", "each": [one, one]}]
