@@ -139,15 +139,16 @@ std::string claims_csv(const Document& document) {
 std::vector<std::string> earlier_files(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / results_name, error)) return {};
-  const auto json = nlohmann::json::parse(sys::read_file(folder / results_name), nullptr, false);
   std::vector<std::string> files;
-  if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
-  for (const auto& file : json["files"]) {
-    const fs::path name = file.is_string() ? fs::path(file.get<std::string>()) : fs::path();
-    // An edited list must not reach other folders.
-    const bool is_inside = name.is_relative() && std::ranges::find(name, "..") == name.end();
-    if (!name.empty() && is_inside) files.push_back(name.generic_string());
+  try {
+    files = nlohmann::json::parse(sys::read_file(folder / results_name)).at("files");
+  } catch (const nlohmann::json::exception&) {
+    return {};
   }
+  // An edited list must not reach other folders.
+  std::erase_if(files, [](const fs::path& name) {
+    return name.empty() || name.is_absolute() || std::ranges::find(name, "..") != name.end();
+  });
   return files;
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "literate/document/folder.hpp"
@@ -53,7 +54,17 @@ class Clock {
 
 }  // namespace
 
-int run(const std::function<sys::ExitCode()>& program) {
+int run(int argc, char** argv, bool are_complete, const std::string& usage,
+        const std::function<sys::ExitCode()>& program) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--help" || first == "-h") {
+    fmt::print("{}\n", usage);
+    return static_cast<int>(sys::ExitCode::success);
+  }
+  if (!are_complete) {
+    fmt::print(stderr, "{}\n", usage);
+    return static_cast<int>(sys::ExitCode::bad_input);
+  }
   sys::ExitCode exit_code = sys::ExitCode::tool_failed;
   try {
     return static_cast<int>(program());
@@ -81,16 +92,8 @@ int main(int argc, char** argv, const Compute& compute) {
       "usage: {} compute CASE FOLDER\nComputes the paper's numbers from the file CASE "
       "and writes them to FOLDER.",
       program);
-  const std::string verb = argc > 1 ? argv[1] : "";
-  if (verb == "--help" || verb == "-h") {
-    fmt::print("{}\n", usage);
-    return static_cast<int>(sys::ExitCode::success);
-  }
-  if (argc != 4 || verb != "compute") {
-    fmt::print(stderr, "{}\n", usage);
-    return static_cast<int>(sys::ExitCode::bad_input);
-  }
-  return run([&] {
+  const bool are_complete = argc == 4 && argv[1] == std::string_view("compute");
+  return run(argc, argv, are_complete, usage, [&] {
     const fs::path case_file = argv[2];
     Document document;
     {

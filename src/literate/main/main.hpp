@@ -25,8 +25,10 @@ using Compute = std::function<void(Document& document, const std::filesystem::pa
 int main(int argc, char** argv, const Compute& compute);
 
 /// Runs a program, of a paper or literate-results, and returns its exit code. An exception prints
-/// one line on standard error and gives 2 for bad input, 3 for anything else.
-int run(const std::function<sys::ExitCode()>& program);
+/// one line on standard error and gives 2 for bad input, 3 for anything else. The argument --help
+/// prints the usage; arguments that are not complete print it on standard error and give 2.
+int run(int argc, char** argv, bool are_complete, const std::string& usage,
+        const std::function<sys::ExitCode()>& program);
 
 /// Writes the folder and prints, on standard error, each failed check and each claim with an
 /// unexpected verdict. If there is one, the exit code is 1.
