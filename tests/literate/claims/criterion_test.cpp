@@ -9,7 +9,6 @@
 
 #include "csv_rows.hpp"
 #include "holds.hpp"
-#include "literate/claims/criterion.hpp"
 #include "message_of.hpp"
 #include "system/decimal.hpp"
 
