@@ -57,8 +57,9 @@ BOOST_AUTO_TEST_CASE(obsolete_files_are_removed_and_drawings_stay) {
 BOOST_AUTO_TEST_CASE(an_edited_list_of_files_removes_nothing_elsewhere) {
   const TemporaryFolder folder;
   const fs::path outside = folder.write("kept.txt", "kept");
-  for (const std::string& list : {"{\"files\": [\"../kept.txt\", \"" + outside.string() + "\", 3]}",
-                                  std::string("[1]"), std::string("half {")}) {
+  for (const std::string& list :
+       {"{\"files\": [\"../kept.txt\", \"" + outside.string() + "\"]}", std::string("[1]"),
+        std::string("{\"files\": [3]}"), std::string("half {")}) {
     folder.write("generated/results.json", list);
     write_folder(one_value(1), folder / "generated", "c");
     BOOST_TEST(fs::exists(outside));
