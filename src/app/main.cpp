@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "system/error.hpp"
-#include "system/nearest_name.hpp"
+#include "system/text.hpp"
 
 namespace app {
 namespace {

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "system/error.hpp"
-#include "system/tool.hpp"
+#include "system/files.hpp"
 
 namespace app {
 namespace fs = std::filesystem;

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "system/files.hpp"
-#include "system/nearest_name.hpp"
+#include "system/text.hpp"
 
 namespace config {
 namespace {
@@ -32,8 +32,8 @@ struct Table::Node {
   struct Document {
     std::string file;
     toml::table root;
-    std::set<const toml::node*> read;
-    std::map<std::string, std::set<std::string>> read_keys;  // of each table, by its path
+    std::map<std::string, std::set<std::string>>
+        read_keys;  // of each table, by its path; some are missing
   };
   std::shared_ptr<Document> document;
   const toml::table* table;
@@ -42,6 +42,8 @@ struct Table::Node {
   std::string path_of(const std::string& key) const {
     return path.empty() ? key : path + "." + key;
   }
+
+  bool is_read(const std::string& key) const { return document->read_keys[path].contains(key); }
 
   [[noreturn]] void fail(const toml::source_region& source, const std::string& key,
                          const std::string& message) const {
@@ -52,7 +54,6 @@ struct Table::Node {
     document->read_keys[path].insert(key);
     const toml::node* node = table->get(key);
     if (node == nullptr) fail_missing(key);
-    document->read.insert(node);
     return *node;
   }
 
@@ -60,7 +61,7 @@ struct Table::Node {
   [[noreturn]] void fail_missing(const std::string& key) const {
     std::set<std::string> unknown;
     for (const auto& [other, node] : *table) {
-      if (!document->read.contains(&node)) unknown.emplace(other.str());
+      if (!is_read(std::string(other.str()))) unknown.emplace(other.str());
     }
     const auto nearest = sys::nearest_name(key, unknown);
     if (!nearest) fail(table->source(), key, "missing");
@@ -175,7 +176,7 @@ void Table::reject_unknown_keys(const std::set<std::string>& left_to_others) con
   for (const auto& [key, node] : *node_->table) {
     const std::string name(key.str());
     if (left_to_others.contains(name)) continue;
-    if (!node_->document->read.contains(&node)) {
+    if (!node_->is_read(name)) {
       node_->fail(key.source(), name, "unknown key" + sys::suggestion(name, node_->missing_keys()));
     }
     if (node.is_table()) table(name).reject_unknown_keys();

@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <future>
 #include <utility>
 
 #include "config/table.hpp"
-#include "system/parallel.hpp"
 
 namespace paper {
 namespace {
@@ -50,10 +50,15 @@ std::string compute(Document& document, const parameters::Case& from_file) {
   document.flag("point-contact", from.point_contact.has_value());
   document.value("case.title", Value::text(from.title));
 
-  std::vector<Document> documents(sections().size());
-  sys::for_each_parallel(documents.size(), 0,
-                         [&](std::size_t i) { sections()[i].compute(documents[i], from); });
-  for (Document& part : documents) document.append(std::move(part));
+  std::vector<std::future<Document>> parts;
+  for (const Section& section : sections()) {
+    parts.push_back(std::async(std::launch::async, [&] {
+      Document part;
+      section.compute(part, from);
+      return part;
+    }));
+  }
+  for (auto& part : parts) document.append(part.get());
   return log;
 }
 

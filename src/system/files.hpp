@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace sys {
 
@@ -24,25 +21,7 @@ bool write_if_changed(const std::filesystem::path& file, std::string_view text);
 /// Removes a file if it exists. Throws OutputError with its name if that fails.
 void remove_file(const std::filesystem::path& file);
 
-/// A file descriptor that is closed at the end of its scope.
-class Descriptor {
- public:
-  /// Takes ownership of an open descriptor; −1 means none.
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  ~Descriptor() { close(); }
-
-  void close() {
-    if (number_ >= 0) ::close(std::exchange(number_, -1));
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
+/// Finds a program in the folders of PATH. Throws ToolError with its name if it is not there.
+std::filesystem::path find_tool(const std::string& program);
 
 }  // namespace sys

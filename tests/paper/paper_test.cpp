@@ -39,7 +39,7 @@ const Computed& papers() {
 }
 
 double number(const Document& document, const std::string& key) {
-  return document.value(key).number();
+  return document.values().at(key).number();
 }
 
 // The files of the document except the assignment, and the figures' scripts.
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(a_finer_mesh_of_the_block_changes_no_printed_digit) {
                                              "fit.by-level"};
   for (const auto& [key, value] : papers().document.values()) {
     if (of_the_mesh.contains(key)) continue;
-    BOOST_TEST(finer.value(key).printed() == value.printed(), key);
+    BOOST_TEST(finer.values().at(key).printed() == value.printed(), key);
   }
 }
 
@@ -161,9 +161,9 @@ BOOST_AUTO_TEST_CASE(values_are_those_of_the_case_in_its_units) {
   const double half_width = std::sqrt(4 * 780 * 25 / (pi * modulus));
   const auto close = boost::test_tools::tolerance(1e-13);
 
-  BOOST_TEST(d.value("young").printed() == "206000 MPa");
-  BOOST_TEST(d.value("cylinders.load").printed() == "780 N/mm");
-  BOOST_TEST(d.value("cylinders.radius2").printed() == "∞");
+  BOOST_TEST(d.values().at("young").printed() == "206000 MPa");
+  BOOST_TEST(d.values().at("cylinders.load").printed() == "780 N/mm");
+  BOOST_TEST(d.values().at("cylinders.radius2").printed() == "∞");
   BOOST_TEST(number(d, "cylinders.hertz.half-width") == half_width, close);
   BOOST_TEST(number(d, "cylinders.hertz.peak") == 2 * 780 / (pi * half_width), close);
   BOOST_TEST(number(d, "displacement-scale") == 2 * (1 - 0.28 * 0.28) * 63.5 * 0.42 / (pi * 206e3),

@@ -55,4 +55,10 @@ BOOST_AUTO_TEST_CASE(a_full_disk_is_an_error_that_names_the_file_and_keeps_the_o
   BOOST_TEST(!fs::is_symlink(scratch / "file.new"));
 }
 
+BOOST_AUTO_TEST_CASE(a_tool_is_found_in_the_path_or_named_in_an_error) {
+  BOOST_TEST(find_tool("sh").filename() == "sh");
+  BOOST_TEST(message_of<ToolError>([] { find_tool("no-such-tool"); }) ==
+             "no-such-tool is not installed: run `make setup`");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -31,4 +31,25 @@ BOOST_AUTO_TEST_CASE(one_line_separates_words_by_one_blank) {
   BOOST_TEST(one_line(" \n").empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_plain_field_is_not_changed) {
+  for (const char* plain : {"plain", "", "two words", "a=1", "-1"}) {
+    BOOST_TEST(csv_field(plain) == plain);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_field_with_special_characters_is_quoted) {
+  BOOST_TEST(csv_field("a,\"b\"") == "\"a,\"\"b\"\"\"");
+  for (const char* text : {"a\nb", "a\rb", "# none", " blank", "blank\t"}) {
+    BOOST_TEST(csv_field(text) == "\"" + std::string(text) + "\"");
+  }
+  BOOST_TEST(csv_line({"", "a,b", "c"}) == ",\"a,b\",c\n");
+}
+
+BOOST_AUTO_TEST_CASE(only_a_similar_name_is_suggested) {
+  BOOST_TEST(suggestion("lenght", {"length", "width"}) == ", did you mean 'length'?");
+  BOOST_TEST(suggestion("mass", {"length", "width"}) == "");
+  BOOST_TEST(suggestion("ab", {"cd"}) == "");
+  BOOST_TEST(suggestion("x", {}) == "");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

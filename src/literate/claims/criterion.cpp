@@ -20,6 +20,18 @@ namespace {
 constexpr std::array<std::string_view, 4> names_of_verdicts{"holds", "holds in part", "fails",
                                                             "undecided"};
 
+constexpr std::array<std::string_view, 4> names_of_kinds{"theory", "data", "method", "choice"};
+
+/// The number of a limit as it is printed and tested.
+double printed(double number) {
+  if (!std::isfinite(number)) return number;
+  // Digits after the twelfth are rounding errors: 3 · 0.001 is 0.003.
+  constexpr int n_meant = 12, n_all = 6, n_else = 3;
+  const double meant = number_of(rounded_to_digits(number, n_meant));
+  const bool has_few = shortest(meant).digits.size() <= n_all;
+  return has_few ? meant : number_of(rounded_to_digits(number, n_else));
+}
+
 /// Runs `make`, and adds the caller's line and the criterion's name to its error.
 template <typename Make>
 auto at(const Place& place, const std::string& name, Make&& make) {
@@ -44,12 +56,6 @@ void require_same_unit(const Value& a, const Value& b) {
   if (unit_of(a) == unit_of(b)) return;
   throw std::invalid_argument(fmt::format("{} has {} and {} has {}: give both in the same unit",
                                           a.printed(), unit_of(a), b.printed(), unit_of(b)));
-}
-
-void require_distance(const Limit& tolerance) {
-  if (tolerance.number() >= 0) return;
-  throw std::invalid_argument(
-      fmt::format("the limit of a difference is 0 or more, not {}", tolerance.number()));
 }
 
 /// The number with its errors; a number of unknown error counts as exact.
@@ -126,6 +132,36 @@ Number relative_difference(const Value& computed, const Value& stated) {
 
 }  // namespace
 
+std::string_view name_of(LimitKind kind) {
+  return names_of_kinds.at(static_cast<std::size_t>(kind));
+}
+
+LimitKind limit_kind_named(std::string_view name) {
+  const auto* const found = std::ranges::find(names_of_kinds, name);
+  if (found != names_of_kinds.end()) return static_cast<LimitKind>(found - names_of_kinds.begin());
+  throw std::invalid_argument(
+      fmt::format("'{}' is not a kind of limit: theory, data, method or choice", name));
+}
+
+Limit::Limit(double number, LimitKind kind, std::string reason)
+    : number_(printed(number)), kind_(kind), reason_(std::move(reason)) {}
+
+Limit Limit::counting(double k) const {
+  Limit limit = *this;
+  limit.n_counted_ = k;
+  return limit;
+}
+
+void Limit::require_valid() const {
+  const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
+  if (!std::isfinite(number_)) refuse(fmt::format("the limit {} is not finite", number_));
+  if (n_counted_ && !(std::isfinite(*n_counted_) && *n_counted_ > 0)) {
+    refuse(fmt::format("counting({}): must be finite and positive", *n_counted_));
+  }
+  if (reason_.empty()) refuse("a limit needs a reason");
+  (void)author_latex(reason_);
+}
+
 std::string_view name_of(Verdict verdict) {
   return names_of_verdicts.at(static_cast<std::size_t>(verdict));
 }
@@ -156,9 +192,8 @@ Criterion::Criterion(std::string name, Limit limit, const Place& place)
 }
 
 void Criterion::decide(const Value& tested, Side side, const Place& place) {
-  const double error = at(place, name_, [&] { return error_of(tested, limit_); });
+  const double unsure = at(place, name_, [&] { return error_of(tested, limit_); });
   const double sign = side == Side::at_most ? 1 : -1;
-  const double unsure = add_up(error, limit_.bound());
   const double limit = limit_.number();
   excess_ = sign * (tested.number() - limit);
   verdict_ = outcome_of(excess_, unsure);
@@ -166,21 +201,13 @@ void Criterion::decide(const Value& tested, Side side, const Place& place) {
   if (tested.number() > 0 && limit > 0) {
     margin_.factor = std::max(tested.number() / limit, limit / tested.number());
   }
-  const Verdict of_unrounded = outcome_of(sign * (tested.number() - limit_.unrounded()), unsure);
-  if (of_unrounded != verdict_) {
-    fail_at(place,
-            fmt::format("criterion '{}': {} {} against the limit {} and {} against {}, as it is "
-                        "printed: give the limit more digits",
-                        name_, round_trip(tested.number()), name_of(of_unrounded),
-                        round_trip(limit_.unrounded()), name_of(verdict_), round_trip(limit)));
-  }
   if (verdict_ == Verdict::undecided) {
     const double printed = number_of(rounded_up_to_digits(unsure, 2));
     missing_ = fmt::format("an error of {} reaches across the limit",
                            limit_like(printed, tested).printed());
-    found_ = undecided_phrase(tested, error, limit);
+    found_ = undecided_phrase(tested, unsure, limit);
   } else {
-    found_ = found_phrase(tested, error, limit, side);
+    found_ = found_phrase(tested, unsure, limit, side);
   }
 }
 
@@ -213,7 +240,6 @@ Criterion Criterion::agrees(std::string name, const Value& computed, const Value
     require_number(computed);
     require_number(stated);
     require_same_unit(computed, stated);
-    require_distance(tolerance);
     return difference(computed, stated);
   });
   const bool are_counts = computed.format().notation() == Notation::integer && apart.is_exact();
@@ -239,7 +265,6 @@ Criterion Criterion::agrees_relatively(std::string name, const Value& computed, 
     require_number(computed);
     require_number(stated);
     require_same_unit(computed, stated);
-    require_distance(tolerance);
     return relative_difference(computed, stated);
   });
   const auto in_percent = [](double ratio, const Format& format) {
@@ -302,6 +327,27 @@ std::string Criterion::text() const {
   const std::string why = missing_.empty() ? "" : fmt::format(", {}", missing_);
   return fmt::format("{}: {} ({}): {}{}", name_, found_.plain, limit_phrase_.plain,
                      name_of(verdict_), why);
+}
+
+Verdict verdict_of(const std::vector<Criterion>& criteria) {
+  const auto have_all = [&](Verdict verdict) {
+    return std::ranges::all_of(criteria,
+                               [=](const Criterion& c) { return c.verdict() == verdict; });
+  };
+  if (std::ranges::any_of(criteria,
+                          [](const Criterion& c) { return c.verdict() == Verdict::undecided; })) {
+    return Verdict::undecided;
+  }
+  if (have_all(Verdict::holds)) return Verdict::holds;
+  return have_all(Verdict::fails) ? Verdict::fails : Verdict::holds_in_part;
+}
+
+std::string text_of(const std::vector<Criterion>& criteria) {
+  std::string text;
+  for (const Criterion& criterion : criteria) {
+    text += (text.empty() ? "" : "; ") + criterion.text();
+  }
+  return text;
 }
 
 }  // namespace literate

@@ -7,18 +7,61 @@
 #include <vector>
 
 #include "literate/claims/found.hpp"
-#include "literate/claims/limit.hpp"
 #include "literate/text/place.hpp"
 #include "literate/values/value.hpp"
 
 namespace literate {
+
+/// Where the number of a limit comes from.
+enum class LimitKind {
+  theory,  ///< a formula
+  data,    ///< a source, or the statement itself
+  method,  ///< an estimate by the same run
+  choice,  ///< the author's judgement; a reader may choose a different number
+};
+
+/// Returns theory, data, method or choice.
+std::string_view name_of(LimitKind kind);
+
+/// Returns the kind with this name. Throws std::invalid_argument for any other text.
+LimitKind limit_kind_named(std::string_view name);
+
+/// The number that decides a criterion, with the reason for it (LaTeX): {0.1, LimitKind::choice,
+/// "what a plot shows"}.
+///
+/// The criterion tests the rounded number that it prints: with all of its digits up to six, else
+/// with three. Criteria refuse a limit that is not finite or has no reason.
+class Limit {
+ public:
+  Limit(double number, LimitKind kind, std::string reason);
+
+  /// Returns this limit for a quantity with a standard uncertainty: `k` > 0 of them count as its
+  /// error. k = 2 covers about 95 % of a normal distribution.
+  Limit counting(double k) const;
+
+  /// The number that is printed and tested.
+  double number() const { return number_; }
+  LimitKind kind() const { return kind_; }
+  const std::string& reason() const { return reason_; }
+  /// How many standard uncertainties count; none if counting() was not called.
+  const std::optional<double>& n_counted() const { return n_counted_; }
+
+  /// Throws std::invalid_argument if this limit is invalid.
+  void require_valid() const;
+
+ private:
+  double number_ = 0;
+  LimitKind kind_;
+  std::string reason_;
+  std::optional<double> n_counted_ = {};
+};
 
 /// The outcome of a criterion or a claim.
 enum class Verdict {
   holds,
   holds_in_part,  ///< in some of the cases, or for some of the criteria, but not all
   fails,
-  undecided,  ///< the error of the quantity, or of the limit, reaches across the limit
+  undecided,  ///< the error of the quantity reaches across the limit
 };
 
 /// Returns «holds», «holds in part», «fails» or «undecided».
@@ -29,7 +72,7 @@ Verdict verdict_named(std::string_view name);
 
 /// How far a criterion is from a different outcome.
 struct Margin {
-  /// Distance between quantity and limit, divided by their combined error; none if both are exact.
+  /// Distance between quantity and limit, divided by the quantity's error; none if it is exact.
   std::optional<double> errors;
   /// The factor ≥ 1 between the quantity (or the tested difference) and its limit; none unless both
   /// are positive.
@@ -108,5 +151,28 @@ class Criterion {
   double excess_ = 0;  // distance of the quantity beyond the limit; negative within it
   Verdict verdict_ = Verdict::undecided;
 };
+
+/// Returns undecided if any criterion is undecided, holds or fails if all of them do, and holds in
+/// part otherwise. There must be at least one criterion.
+Verdict verdict_of(const std::vector<Criterion>& criteria);
+
+/// How the computation tests a statement of the prose.
+struct Claim {
+  std::string route = {};                 ///< how the tested numbers were computed (LaTeX)
+  Verdict expected = Verdict::undecided;  ///< the verdict that the prose relies on
+  std::vector<Criterion> criteria = {};   ///< the tests that decide it
+
+  Verdict verdict() const { return verdict_of(criteria); }
+};
+
+/// A condition that must hold before the computation can be trusted.
+struct Check {
+  std::string statement;  ///< LaTeX
+  bool passed = false;
+  std::vector<Criterion> criteria = {};  ///< empty for a fact that needs no number
+};
+
+/// Describes each criterion with its result and its limit, for messages.
+std::string text_of(const std::vector<Criterion>& criteria);
 
 }  // namespace literate

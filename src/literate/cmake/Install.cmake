@@ -22,7 +22,7 @@ install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${heade
 
 install(EXPORT literate NAMESPACE literate:: FILE literateTargets.cmake DESTINATION "${share}/cmake")
 install(FILES cmake/literateDependencies.cmake DESTINATION "${share}/cmake")
-install(FILES document/results.schema.json results/document.schema.json DESTINATION "${share}")
+install(FILES document/results.schema.json DESTINATION "${share}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/literateConfigVersion.cmake"
   VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES "${PROJECT_BINARY_DIR}/literateConfigVersion.cmake" DESTINATION "${share}/cmake")

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <stdexcept>
 
 #include "literate/text/latex.hpp"
-#include "system/nearest_name.hpp"
 #include "system/text.hpp"
 
 namespace literate {
@@ -22,16 +20,6 @@ bool is_key(std::string_view text, bool may_have_dots) {
   };
   return !text.empty() && sys::is_alphanumeric(text.front()) &&
          std::ranges::all_of(text, is_allowed);
-}
-
-template <typename T>
-const T& registered(const std::map<std::string, T>& all, const char* kind, const std::string& name,
-                    const Place& place) {
-  if (const auto found = all.find(name); found != all.end()) return found->second;
-  std::set<std::string> names;
-  for (const auto& [known, value] : all) names.insert(known);
-  fail_at(place,
-          fmt::format("no {} '{}' is registered{}", kind, name, sys::suggestion(name, names)));
 }
 
 }  // namespace
@@ -48,7 +36,6 @@ void Document::remember(const std::string& kind, const std::string& name, const 
     fail_at(place,
             fmt::format("{} '{}' is registered twice, first at {}", kind, name, entry->second));
   }
-  last_registered_ = fmt::format("{} '{}' ({})", kind, name, place.text);
 }
 
 template <typename Make>
@@ -121,14 +108,6 @@ void Document::append(Document part) {
 void Document::progress(long done, long total) {
   progress_->done = done;
   progress_->total = total;
-}
-
-const Value& Document::value(const std::string& key, const Place& place) const {
-  return registered(values_, "value", key, place);
-}
-
-const Table& Document::table(const std::string& name, const Place& place) const {
-  return registered(tables_, "table", name, place);
 }
 
 const std::string& Document::place_of(const std::string& kind, const std::string& name) const {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "literate/claims/claim.hpp"
+#include "literate/claims/criterion.hpp"
 #include "literate/figures/figure.hpp"
 #include "literate/tables/table.hpp"
 #include "literate/text/place.hpp"
@@ -65,12 +65,6 @@ class Document {
   /// counts beside the elapsed seconds. Any thread may call this.
   void progress(long done, long total);
 
-  /// Returns a registered value or table. Throws Error with the nearest name if there is none.
-  const Value& value(const std::string& key,
-                     const Place& place = std::source_location::current()) const;
-  const Table& table(const std::string& name,
-                     const Place& place = std::source_location::current()) const;
-
   /// Everything registered, by name. Checks and claims are in the order of registration; the first
   /// claim is claim 1.
   const std::map<std::string, Value>& values() const { return values_; }
@@ -88,8 +82,6 @@ class Document {
 
   /// The counts of progress(). They stay valid when the document is moved.
   std::shared_ptr<const Progress> progress_so_far() const { return progress_; }
-  /// The last registration, «value 'x' (src/main.cpp:31)»; empty before the first.
-  const std::string& last_registered() const { return last_registered_; }
 
  private:
   void remember(const std::string& kind, const std::string& name, const Place& place);
@@ -105,7 +97,6 @@ class Document {
   std::vector<std::pair<std::string, Check>> checks_;
   std::vector<std::pair<std::string, Claim>> claims_;
   std::map<std::pair<std::string, std::string>, std::string> places_;  // by kind and name
-  std::string last_registered_;
   std::shared_ptr<Progress> progress_ = std::make_shared<Progress>();
 };
 

@@ -50,8 +50,8 @@ struct Figure {
 };
 
 /// Throws std::invalid_argument if no script could draw the figure: for a size that is not
-/// positive, an invalid or repeated name, a block without columns or points, columns of unequal
-/// length or equal names, a number that is neither finite nor a gap, or a text of several lines.
+/// positive, an invalid name, a block without points, columns of unequal length, and a number that
+/// is neither finite nor a gap.
 void require_drawable(const Figure& figure);
 
 /// Returns data.gp, which gnuplot reads before the figure's script: terminal, output NAME.tex with

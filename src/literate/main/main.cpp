@@ -11,10 +11,10 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "literate/document/folder.hpp"
-#include "literate/main/run.hpp"
 #include "system/error.hpp"
 
 namespace literate {
@@ -52,26 +52,19 @@ class Clock {
   std::optional<std::jthread> thread_;
 };
 
-/// Computes. An exception from the author's code has no place, so it becomes a ComputationError
-/// that names the last registration.
-Document computed(const Compute& compute, const fs::path& case_file) {
-  Document document;
-  const Clock clock(document.progress_so_far());
-  try {
-    compute(document, case_file);
-  } catch (const sys::Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    const std::string& last = document.last_registered();
-    throw sys::ComputationError(fmt::format(
-        "{} ({})", error.what(), last.empty() ? "before any registration" : "after " + last));
-  }
-  return document;
-}
-
 }  // namespace
 
-int run(const std::function<sys::ExitCode()>& program) {
+int run(int argc, char** argv, bool are_complete, const std::string& usage,
+        const std::function<sys::ExitCode()>& program) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--help" || first == "-h") {
+    fmt::print("{}\n", usage);
+    return static_cast<int>(sys::ExitCode::success);
+  }
+  if (!are_complete) {
+    fmt::print(stderr, "{}\n", usage);
+    return static_cast<int>(sys::ExitCode::bad_input);
+  }
   sys::ExitCode exit_code = sys::ExitCode::tool_failed;
   try {
     return static_cast<int>(program());
@@ -80,7 +73,7 @@ int run(const std::function<sys::ExitCode()>& program) {
     // 1 would mean that the folder is complete.
     if (error.exit_code() != sys::ExitCode::failed) exit_code = error.exit_code();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "the computation failed: {}\n", error.what());
   }
   return static_cast<int>(exit_code);
 }
@@ -99,18 +92,14 @@ int main(int argc, char** argv, const Compute& compute) {
       "usage: {} compute CASE FOLDER\nComputes the paper's numbers from the file CASE "
       "and writes them to FOLDER.",
       program);
-  const std::string verb = argc > 1 ? argv[1] : "";
-  if (verb == "--help" || verb == "-h") {
-    fmt::print("{}\n", usage);
-    return static_cast<int>(sys::ExitCode::success);
-  }
-  if (argc != 4 || verb != "compute") {
-    fmt::print(stderr, "{}\n", usage);
-    return static_cast<int>(sys::ExitCode::bad_input);
-  }
-  return run([&] {
+  const bool are_complete = argc == 4 && argv[1] == std::string_view("compute");
+  return run(argc, argv, are_complete, usage, [&] {
     const fs::path case_file = argv[2];
-    const Document document = computed(compute, case_file);
+    Document document;
+    {
+      const Clock clock(document.progress_so_far());
+      compute(document, case_file);
+    }
     return write_and_report(document, argv[3], case_file.filename().string());
   });
 }

@@ -106,12 +106,10 @@ def column(heading: str, unit: str = "", *, digits: int | None = None, decimals:
     return {key: entry for key, entry in result.items() if entry is not None}
 
 
-def limit(value: float, kind: str, reason: str, *, error: float | None = None, counting: float | None = None,
-          digits: int | None = None) -> Json:
+def limit(value: float, kind: str, reason: str, *, counting: float | None = None) -> Json:
     """Returns the limit of a criterion. `kind` is theory, data, method or choice, and `reason` (LaTeX) explains the number.
-    `error` bounds the error of the limit. If the quantity has a standard uncertainty, `counting` of them count."""
-    result: Json = {"number": _plain(value), "kind": kind, "reason": reason, "bound": error, "counting": counting,
-                    "digits": digits}
+    If the quantity has a standard uncertainty, `counting` of them count."""
+    result: Json = {"number": _plain(value), "kind": kind, "reason": reason, "counting": counting}
     return {key: entry for key, entry in result.items() if entry is not None}
 
 

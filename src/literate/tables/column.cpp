@@ -77,4 +77,20 @@ Column Column::under(std::string group, const Place& place) const {
   return column;
 }
 
+Cell::Cell(std::string_view text) : content_(latex_escaped(text)), given_(text) {}
+
+Cell Cell::quoted(double number, int place) {
+  Cell cell(number);
+  cell.place_ = place;
+  return cell;
+}
+
+Cell Cell::latex(std::string text) {
+  Cell cell;
+  cell.given_ = text;
+  cell.content_ = std::move(text);
+  cell.is_latex_ = true;
+  return cell;
+}
+
 }  // namespace literate

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "literate/tables/cell.hpp"
 #include "literate/tables/column.hpp"
 #include "literate/text/place.hpp"
 
@@ -28,11 +27,6 @@ class Table {
   const std::vector<Column>& columns() const { return columns_; }
   const std::vector<std::vector<Cell>>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
-
-  /// Returns the index of the column with this heading. Throws Error, with the nearest heading,
-  /// unless exactly one column has it.
-  std::size_t column(const std::string& heading,
-                     const Place& place = std::source_location::current()) const;
 
   /// Returns the tabular and its notes as LaTeX, which needs the packages booktabs and array.
   std::string latex() const;

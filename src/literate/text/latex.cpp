@@ -4,35 +4,25 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace literate {
 namespace {
 
-/// LaTeX for a character that TeX interprets, or that some font encodings lack.
-std::string_view command_of(char c) {
-  switch (c) {
-    case '\\':
-      return "\\textbackslash{}";
-    case '~':
-      return "\\textasciitilde{}";
-    case '^':
-      return "\\textasciicircum{}";
-    case '<':
-      return "\\textless{}";
-    case '>':
-      return "\\textgreater{}";
-    case '|':
-      return "\\textbar{}";
-    case '"':
-      return "\\char34{}";
-    case '`':
-      return "\\textasciigrave{}";
-    default:
-      return {};
-  }
-}
+/// LaTeX for characters that TeX interprets, or that some font encodings lack.
+constexpr auto commands = std::to_array<std::pair<char, std::string_view>>({
+    {'\\', "\\textbackslash{}"},
+    {'~', "\\textasciitilde{}"},
+    {'^', "\\textasciicircum{}"},
+    {'<', "\\textless{}"},
+    {'>', "\\textgreater{}"},
+    {'|', "\\textbar{}"},
+    {'"', "\\char34{}"},
+    {'`', "\\textasciigrave{}"},
+});
 
 /// Two of these in a row are a ligature: --, '', ,, and so on.
 constexpr std::string_view joined = "-',";
@@ -45,9 +35,10 @@ std::string latex_escaped(std::string_view text) {
   char previous = ' ';
   for (const char c : text) {
     if (c == previous && joined.find(c) != joined.npos) escaped += "{}";
-    const std::string_view command = command_of(c);
-    if (!command.empty()) {
-      escaped += command;
+    const auto* const command =
+        std::ranges::find(commands, c, &decltype(commands)::value_type::first);
+    if (command != commands.end()) {
+      escaped += command->second;
     } else if (static_cast<unsigned char>(c) < 0x20) {
       escaped += ' ';
     } else {

@@ -21,13 +21,16 @@ class Error : public sys::InputError {
 /// script gave.
 struct Place {
   // NOLINTNEXTLINE(google-explicit-constructor): default arguments pass the caller's line
-  Place(const std::source_location& location);
+  Place(const std::source_location& location)
+      : text(std::string(location.file_name()) + ":" + std::to_string(location.line())) {}
   explicit Place(std::string script_place) : text(std::move(script_place)) {}
 
   std::string text;
 };
 
 /// Throws Error «place: message».
-[[noreturn]] void fail_at(const Place& place, std::string_view message);
+[[noreturn]] inline void fail_at(const Place& place, std::string_view message) {
+  throw Error(place.text + ": " + std::string(message));
+}
 
 }  // namespace literate

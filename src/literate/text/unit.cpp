@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "config/units.hpp"
@@ -41,6 +43,10 @@ constexpr auto letters = std::to_array<Sign>({
 /// Units in which a leading «u» means micro. In others it is part of the name, such as «unit».
 constexpr std::array<std::string_view, 12> after_micro{"m", "s", "g", "N",   "Pa", "A",
                                                        "V", "W", "J", "rad", "K",  "L"};
+
+/// Spellings of UDUNITS-2 that are read as simpler ones.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> spellings{
+    {{"·", "."}, {"²", "2"}, {"³", "3"}, {"**", "^"}, {" per ", "/"}}};
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
   for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size())) {
@@ -82,100 +88,52 @@ struct Factor {
   }
 };
 
-/// Splits a unit that UDUNITS-2 has accepted into its factors.
-class Reader {
- public:
-  explicit Reader(std::string_view unit) : rest_(unit) {}
-
-  std::vector<Factor> product() {
-    std::vector<Factor> factors;
-    bool is_divided = false;
-    while (!rest_.empty() && rest_.front() != ')') {
-      if (takes("/") || takes("per ") || takes("PER ")) {
-        is_divided = true;
-      } else if (takes("(")) {
-        for (Factor& factor : product()) {
-          factor.is_divided = factor.is_divided != is_divided;
-          factors.push_back(factor);
-        }
-        takes(")");
-        is_divided = false;
-      } else if (!takes(" ") && !takes(".") && !takes("*") && !takes("·") && !takes("-")) {
-        Factor one = factor(is_divided);
-        const bool is_one = one.name == "1" && one.power.empty();
-        if (!is_one) factors.push_back(std::move(one));
-        is_divided = false;
-      }
-    }
-    return factors;
+/// Reads one name with its power, such as «m2», «s-1» or «in^4»; none if it is a number.
+std::optional<Factor> factor_of(std::string_view word, bool is_divided) {
+  const std::size_t end = word.find_last_not_of("0123456789+-^") + 1;
+  Factor factor{std::string(word.substr(0, end)), std::string(word.substr(end)), is_divided};
+  if (end == 0 || sys::is_digit(word.front()) || factor.name.find_first_of("+-^") != word.npos) {
+    return std::nullopt;
   }
-
- private:
-  bool takes(std::string_view text) {
-    if (!rest_.starts_with(text)) return false;
-    rest_.remove_prefix(text.size());
-    return true;
+  if (factor.name.front() == 'u' &&
+      std::ranges::find(after_micro, factor.name.substr(1)) != after_micro.end()) {
+    factor.name.replace(0, 1, "µ");
   }
-
-  Factor factor(bool is_divided) {
-    constexpr std::string_view separators = " .*/^()-";
-    std::size_t size = 1;
-    while (size < rest_.size() && separators.find(rest_[size]) == separators.npos &&
-           !starts_with_sign(rest_.substr(size)) && !ends_in_power(size)) {
-      ++size;
-    }
-    Factor factor{std::string(rest_.substr(0, size)), "", is_divided};
-    rest_.remove_prefix(size);
-    if (factor.name.size() > 1 && factor.name.front() == 'u') {
-      for (const std::string_view unit : after_micro) {
-        if (factor.name == "u" + std::string(unit)) factor.name.replace(0, 1, "µ");
-      }
-    }
-    if (!takes("**")) takes("^");
-    factor.power = power();
-    return factor;
-  }
-
-  /// Whether the rest of the name is only its power, as in m2.
-  bool ends_in_power(std::size_t at) const {
-    while (at < rest_.size() && sys::is_digit(rest_[at])) {
-      ++at;
-      if (at == rest_.size() || !sys::is_letter(rest_[at])) return true;
-    }
-    return false;
-  }
-
-  static bool starts_with_sign(std::string_view text) {
-    return text.starts_with("·") || text.starts_with("²") || text.starts_with("³");
-  }
-
-  std::string power() {
-    if (takes("²")) return "2";
-    if (takes("³")) return "3";
-    std::size_t size = rest_.starts_with('-') || rest_.starts_with('+') ? 1 : 0;
-    const std::size_t n_signs = size;
-    while (size < rest_.size() && sys::is_digit(rest_[size])) ++size;
-    if (size == n_signs) return {};
-    std::string digits(rest_.substr(rest_.starts_with('+') ? 1 : 0, size));
-    rest_.remove_prefix(size);
-    return digits == "1" ? "" : digits;
-  }
-
-  std::string_view rest_;
-};
+  std::erase_if(factor.power, [](char c) { return c == '^' || c == '+'; });
+  if (factor.power == "1") factor.power.clear();
+  return factor;
+}
 
 std::vector<Factor> factors_of(std::string_view unit) {
-  const std::string_view text = sys::stripped(unit);
+  const auto refuse = [unit] {
+    throw std::invalid_argument(
+        fmt::format("'{}' is not a unit that UDUNITS-2 knows; units are spelt as lbf/in, m s-1, "
+                    "W/(m2.K), um, degC or %",
+                    unit));
+  };
+  std::string text(sys::stripped(unit));
   if (text.empty() || text == "1") return {};
-  if (config::is_unit(std::string(text))) {
-    std::vector<Factor> factors = Reader(text).product();
-    const auto is_number = [](const Factor& one) { return sys::is_digit(one.name.front()); };
-    if (std::ranges::none_of(factors, is_number)) return factors;
+  if (!config::is_unit(text)) refuse();
+  for (const auto& [from, to] : spellings) replace_all(text, from, to);
+
+  std::vector<Factor> factors;
+  bool is_divided = false, is_group_divided = false;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t size = std::min(rest.find_first_of(" .*/()"), rest.size());
+    const std::string_view word = rest.substr(0, std::max<std::size_t>(size, 1));
+    rest.remove_prefix(word.size());
+    if (word == "/") is_divided = true;
+    if (word == "(") is_group_divided = std::exchange(is_divided, false);
+    if (word == ")") is_group_divided = false;
+    if (size == 0) continue;
+    if (word != "1") {
+      const auto factor = factor_of(word, is_divided != is_group_divided);
+      if (!factor) refuse();
+      factors.push_back(*factor);
+    }
+    is_divided = false;
   }
-  throw std::invalid_argument(
-      fmt::format("'{}' is not a unit that UDUNITS-2 knows; units are spelt as lbf/in, m s-1, "
-                  "W/(m2.K), um, degC or %",
-                  unit));
+  return factors;
 }
 
 /// Joins factors with a sign; those that divide follow a slash.
@@ -202,11 +160,6 @@ std::string plain_unit(std::string_view unit) {
 
 std::string latex_unit(std::string_view unit) {
   return print_of(factors_of(unit), "\\,", [](const Factor& factor) { return factor.latex(); });
-}
-
-bool is_attached(std::string_view unit) {
-  const std::string plain = plain_unit(unit);
-  return plain == "°" || plain == "′" || plain == "″";
 }
 
 }  // namespace literate

@@ -10,19 +10,13 @@
 namespace literate {
 namespace {
 
-// A double has at most 309 digits before the point and 1074 after it.
-constexpr int n_exact_decimals = 1074;
-using Buffer = std::array<char, 1500>;
-
-std::string_view written(Buffer& buffer, double value, std::chars_format format, int precision) {
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
-  return {buffer.data(), end.ptr};
-}
+using Buffer = std::array<char, 1500>;  // a double has at most 309 digits before the point
 
 Decimal converted(double value, std::chars_format format, int precision) {
   Buffer buffer;
-  Decimal decimal = sys::parse_decimal(written(buffer, value, format, precision)).value();
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
+  Decimal decimal = sys::parse_decimal({buffer.data(), end.ptr}).value();
   if (is_zero(decimal)) decimal.negative = false;
   return decimal;
 }
@@ -38,31 +32,21 @@ void increment(Decimal& number) {
   }
 }
 
-/// Rounds to a place left of the point, which std::to_chars cannot do.
-Decimal rounded_left_of_point(double value, int place) {
-  Buffer buffer;
-  const std::string_view exact =
-      written(buffer, std::abs(value), std::chars_format::fixed, n_exact_decimals);
-  const auto n_cut = static_cast<std::size_t>(place);
-  std::string digits(exact.substr(0, exact.find('.')));
-  if (digits.size() <= n_cut) digits.insert(0, n_cut - digits.size() + 1, '0');
-  const std::string cut =
-      digits.substr(digits.size() - n_cut) + std::string(exact.substr(exact.find('.') + 1));
-  digits.resize(digits.size() - n_cut);
-
-  Decimal number{.negative = value < 0, .digits = digits, .place = place};
-  const std::string half = "5" + std::string(cut.size() - 1, '0');
-  const bool is_odd = (digits.back() - '0') % 2 == 1;
-  if (cut > half || (cut == half && is_odd)) increment(number);
-  if (is_zero(number)) number.negative = false;
-  return number;
-}
-
 }  // namespace
 
 Decimal rounded_to_place(double value, int place) {
-  return place > 0 ? rounded_left_of_point(value, place)
-                   : converted(value, std::chars_format::fixed, -place);
+  if (place <= 0) return converted(value, std::chars_format::fixed, -place);
+  constexpr int n_all = 17;
+  const int n_digits = leading_place(rounded_to_digits(value, n_all)) - place + 1;
+  if (n_digits >= 1) {
+    Decimal number = rounded_to_digits(value, n_digits);
+    if (number.place > place) number.digits += '0';  // 96 to tens is 10·10
+    number.place = place;
+    return number;
+  }
+  const double half = number_of({.negative = false, .digits = "5", .place = place - 1});
+  if (std::abs(value) > half) return {.negative = value < 0, .digits = "1", .place = place};
+  return {.place = place};
 }
 
 Decimal rounded_to_digits(double value, int n_digits) {

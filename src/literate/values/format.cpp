@@ -27,51 +27,11 @@ bool has_digits(Notation notation) {
          notation == Notation::scientific;
 }
 
-Format Format::in_percent() const {
-  Format format = *this;
-  format.is_percentage_ = true;
-  return format;
-}
-
-Format Format::rounded_up() const {
-  Format format = *this;
-  format.rounds_up_ = true;
-  return format;
-}
-
 Format Format::with_digits(int n_digits) const {
   Format format = *this;
   if (notation_ != Notation::scientific) format.notation_ = Notation::significant;
   format.digits_ = n_digits;
   return format;
-}
-
-Format significant(int n_digits) {
-  return {Notation::significant, n_digits};
-}
-
-Format fixed(int decimals) {
-  return {Notation::fixed, decimals};
-}
-
-Format scientific(int n_digits) {
-  return {Notation::scientific, n_digits};
-}
-
-Format percent(int decimals) {
-  return fixed(decimals).in_percent();
-}
-
-Format integer() {
-  return {Notation::integer, 0};
-}
-
-Format exact() {
-  return {Notation::exact, 0};
-}
-
-Format uncertain() {
-  return {Notation::uncertain, 0};
 }
 
 std::string Format::text() const {

@@ -4,7 +4,32 @@
 #include <string>
 #include <string_view>
 
+#include "numerics/estimate.hpp"
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "error bounds and digits need IEEE arithmetic: compile without -ffast-math and -Ofast"
+#endif
+
 namespace literate {
+
+/// A number with its bound and its standard uncertainty, all in one unit.
+///
+/// The true number lies within `bound` of a number distributed about `value` with the standard
+/// deviation `standard`. Computations have a bound, measurements and fits a standard uncertainty
+/// (JCGM 100:2008, 2.3.1), and results computed from measurements may have both. An exact number
+/// has neither.
+struct Number {
+  Number(double number, double error_bound, double standard_uncertainty = 0)
+      : value(number), bound(error_bound), standard(standard_uncertainty) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): a computation returns estimates
+  Number(numerics::Estimate estimate) : value(estimate.value), bound(estimate.abs_error) {}
+
+  bool is_exact() const { return bound == 0 && standard == 0; }
+
+  double value;
+  double bound;         ///< ≥ 0
+  double standard = 0;  ///< ≥ 0
+};
 
 enum class Notation { significant, fixed, scientific, integer, exact, uncertain };
 
@@ -46,14 +71,24 @@ bool has_digits(Notation notation);
 /// exact number is printed as by exact().
 class Format {
  public:
+  explicit Format(Notation notation, int digits = 0) : notation_(notation), digits_(digits) {}
+
   /// Returns this format for a ratio printed in per cent.
-  Format in_percent() const;
+  Format in_percent() const {
+    Format format = *this;
+    format.is_percentage_ = true;
+    return format;
+  }
 
   /// Returns this format rounding up, for bounds that a sentence states: it prints no less than
   /// value + bound. Every digit of a bound is true, so none has to be earned, but digits below the
   /// second one of the number's own bound are omitted. Only for significant, fixed and scientific,
   /// and for numbers without a standard uncertainty whose sum is not negative.
-  Format rounded_up() const;
+  Format rounded_up() const {
+    Format format = *this;
+    format.rounds_up_ = true;
+    return format;
+  }
 
   /// Returns this format with a different number of significant digits, for `\val[n]{key}`.
   Format with_digits(int n_digits) const;
@@ -71,15 +106,6 @@ class Format {
   static Format parse(std::string_view text);
 
  private:
-  Format(Notation notation, int digits) : notation_(notation), digits_(digits) {}
-
-  friend Format significant(int n_digits);
-  friend Format fixed(int decimals);
-  friend Format scientific(int n_digits);
-  friend Format integer();
-  friend Format exact();
-  friend Format uncertain();
-
   Notation notation_;
   int digits_;
   bool is_percentage_ = false;
@@ -88,12 +114,26 @@ class Format {
 
 /// Format explains them. The range is 1 to 17 for digits and 0 to 100 for decimals. The use of a
 /// format outside it is an error, whose message can then name the value.
-Format significant(int n_digits);
-Format fixed(int decimals);
-Format scientific(int n_digits);
-Format percent(int decimals);
-Format integer();
-Format exact();
-Format uncertain();
+inline Format significant(int n_digits) {
+  return Format(Notation::significant, n_digits);
+}
+inline Format fixed(int decimals) {
+  return Format(Notation::fixed, decimals);
+}
+inline Format scientific(int n_digits) {
+  return Format(Notation::scientific, n_digits);
+}
+inline Format percent(int decimals) {
+  return fixed(decimals).in_percent();
+}
+inline Format integer() {
+  return Format(Notation::integer);
+}
+inline Format exact() {
+  return Format(Notation::exact);
+}
+inline Format uncertain() {
+  return Format(Notation::uncertain);
+}
 
 }  // namespace literate

@@ -336,7 +336,7 @@ std::string grouped_number(std::string_view number) {
 
 }  // namespace
 
-std::string latex_print(const RoundedNumber& number, std::string_view unit, bool is_unit_attached) {
+std::string latex_print(const RoundedNumber& number, std::string_view unit) {
   std::string text = grouped_number(number.digits);
   if (!number.standard.empty()) text += fmt::format("({})", number.standard);
   if (!number.bound.empty()) {
@@ -344,7 +344,8 @@ std::string latex_print(const RoundedNumber& number, std::string_view unit, bool
     if (number.exponent || !unit.empty()) text = fmt::format("({})", text);
   }
   if (number.exponent) text += fmt::format("\\times10^{{{}}}", *number.exponent);
-  if (!unit.empty()) text += fmt::format("{}{}", is_unit_attached ? "" : "\\,", unit);
+  const bool is_attached = unit.starts_with('^');  // as in 90°
+  if (!unit.empty()) text += fmt::format("{}{}", is_attached ? "" : "\\,", unit);
   return fmt::format("\\ensuremath{{{}}}", text);
 }
 

@@ -7,7 +7,6 @@
 
 #include "literate/values/decimal.hpp"
 #include "literate/values/format.hpp"
-#include "literate/values/number.hpp"
 
 namespace literate {
 
@@ -45,7 +44,7 @@ std::string plain_print(const RoundedNumber& number, std::string_view unit);
 
 /// Prints a number as LaTeX for text and math mode. Five digits or more are in groups of three. The
 /// unit is LaTeX for math mode.
-std::string latex_print(const RoundedNumber& number, std::string_view unit, bool is_unit_attached);
+std::string latex_print(const RoundedNumber& number, std::string_view unit);
 
 /// Groups five digits or more by threes, with thin spaces, counted from the point to their left or
 /// right.

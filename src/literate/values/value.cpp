@@ -50,21 +50,6 @@ Value Value::text(std::string_view text) {
   return value;
 }
 
-Value Value::within(double bound) const {
-  Value value = *this;
-  if (is_text() || known_ || is_as_is_) {
-    value.problem_ = fmt::format("within({}): it is a text, or its error is known already", bound);
-  } else if (!(bound > 0)) {
-    value.problem_ = fmt::format(
-        "within({}): an exact number is printed by exact() or integer(), and one that is printed "
-        "as it came by .as_is()",
-        bound);
-  } else {
-    value = Value(Number(number_, bound), *format_, unit_);
-  }
-  return value;
-}
-
 Value Value::as_is() const {
   Value value = *this;
   value.is_as_is_ = true;
@@ -91,7 +76,7 @@ std::string Value::latex() const {
   if (is_text()) return latex_escaped(text_);
   if (!problem_.empty()) throw std::invalid_argument(problem_);
   return latex_print(rounded(*format_, number_, known_),
-                     is_percentage() ? "\\%" : latex_unit(unit_), is_attached(unit_));
+                     is_percentage() ? "\\%" : latex_unit(unit_));
 }
 
 Value Value::formatted(const Format& format) const {

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "literate/values/format.hpp"
-#include "literate/values/number.hpp"
 
 namespace literate {
 
@@ -17,7 +16,6 @@ namespace literate {
 ///     Value({79.4, 0, 0.3}, uncertain(), "V")              {value, bound, standard uncertainty}
 ///     Value(0.25, exact(), "m")                            a parameter
 ///     Value(n_nodes, integer())                            a count
-///     Value(2.9, significant(2), "s").within(0.1)          a bare number and its bound
 ///     Value(residual, scientific(1)).as_is()               a number of unknown error
 ///
 /// literate/text/unit.hpp describes units; a percentage has none. Constructors do not throw:
@@ -25,8 +23,7 @@ namespace literate {
 class Value {
  public:
   Value(const Number& number, const Format& format, std::string_view unit = "");
-  /// A bare number. The formats exact() and integer() declare it exact; any other needs within() or
-  /// as_is().
+  /// A bare number. The formats exact() and integer() declare it exact; any other needs as_is().
   Value(double number, const Format& format, std::string_view unit = "");
   template <std::integral Integer>
   Value(Integer number, const Format& format, std::string_view unit = "")
@@ -34,10 +31,6 @@ class Value {
 
   /// A plain text, which is escaped for LaTeX.
   static Value text(std::string_view text);
-
-  /// Returns this bare number with a bound on its error, in the unit of the number (for a
-  /// percentage, of the ratio).
-  Value within(double bound) const;
 
   /// Returns this bare number without an error, for numbers such as a residual, a margin, or a
   /// bound from a formula. It is printed with all digits of its format, and criteria take it as

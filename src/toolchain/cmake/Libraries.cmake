@@ -9,7 +9,7 @@ add_folder_library(errors NO_HEAVY_COMPUTING
   SOURCES require.cpp
   PRIVATE_LINK fmt::fmt)
 add_folder_library(system NO_HEAVY_COMPUTING
-  SOURCES csv.cpp decimal.cpp files.cpp nearest_name.cpp text.cpp tool.cpp
+  SOURCES decimal.cpp files.cpp text.cpp
   LINK errors Threads::Threads
   PRIVATE_LINK fmt::fmt)
 add_folder_library(config NO_HEAVY_COMPUTING

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "csv_rows.hpp"
-#include "literate/claims/claim.hpp"
 #include "messages.hpp"
 #include "system/decimal.hpp"
 
@@ -46,9 +45,8 @@ Criterion criterion_of(const CsvRow& row) {
   const auto field = [&](std::size_t i) { return row.at(i); };
   const Format format = Format::parse(field(4));
   const Value quantity = quantity_of(field(1), field(2), field(3), format, field(5));
-  Limit limit({number_in(field(9)).value(), number_in(field(10)).value_or(0)}, LimitKind::choice,
-              "the table");
-  if (!field(11).empty()) limit = limit.counting(number_in(field(11)).value());
+  Limit limit(number_in(field(9)).value(), LimitKind::choice, "the table");
+  if (!field(10).empty()) limit = limit.counting(number_in(field(10)).value());
   if (field(0) == "at_most") return Criterion::at_most("x", quantity, limit);
   if (field(0) == "at_least") return Criterion::at_least("x", quantity, limit);
   const bool is_exact = number_in(field(7)) == 0 && field(8).empty();
@@ -81,9 +79,9 @@ BOOST_AUTO_TEST_CASE(criteria_decide_and_print_as_in_the_table) {
     const CsvRow& row = rows[i];
     BOOST_TEST_CONTEXT("row " << i + 1) {
       const Criterion criterion = criterion_of(row);
-      BOOST_TEST(name_of(criterion.verdict()) == row[12]);
-      BOOST_TEST(criterion.found().plain == row[13]);
-      BOOST_TEST(criterion.limit_phrase().plain == row[14]);
+      BOOST_TEST(name_of(criterion.verdict()) == row[11]);
+      BOOST_TEST(criterion.found().plain == row[12]);
+      BOOST_TEST(criterion.limit_phrase().plain == row[13]);
       BOOST_TEST(criterion.missing().empty() == (criterion.verdict() != Verdict::undecided));
     }
   }
@@ -123,20 +121,10 @@ BOOST_AUTO_TEST_CASE(a_margin_is_the_distance_to_a_different_verdict) {
 }
 
 BOOST_AUTO_TEST_CASE(the_tested_limit_is_the_printed_one) {
-  const auto limit = [](double number, int n_digits = 0) {
-    return Limit(number, LimitKind::theory, "x", n_digits).number();
-  };
+  const auto limit = [](double number) { return Limit(number, LimitKind::theory, "x").number(); };
   BOOST_TEST(limit(3 * 0.001) == 0.003);
   BOOST_TEST(limit(123456) == 123456);
   BOOST_TEST(limit(1.0 / 3) == 0.333);
-  BOOST_TEST(limit(1.0 / 3, 5) == 0.33333);
-  const Value between(Estimate{0.3331, 1e-9}, fixed(4));
-  const std::string message = refusal_of([&] {
-    Criterion::at_most("x", between, {1.0 / 3, LimitKind::theory, "a third"});
-  });
-  BOOST_TEST(holds(message,
-                   "0.3331 holds against the limit 0.3333333333333333 and fails against "
-                   "0.333, as it is printed: give the limit more digits"));
 }
 
 BOOST_AUTO_TEST_CASE(invalid_criteria_are_refused_with_the_line_of_code) {
@@ -154,7 +142,6 @@ BOOST_AUTO_TEST_CASE(invalid_criteria_are_refused_with_the_line_of_code) {
                    "1.50(10) m has a standard uncertainty of 0.1: the limit must state how many"));
   BOOST_TEST(holds(at_most(number, {1, LimitKind::data, ""}), "a limit needs a reason"));
   BOOST_TEST(holds(at_most(number, {std::nan(""), LimitKind::data, "x"}), "is not finite"));
-  BOOST_TEST(holds(at_most(number, {{1, -1}, LimitKind::data, "x"}), "below zero"));
   BOOST_TEST(holds(at_most(number, limit.counting(0)), "counting(0)"));
   BOOST_TEST(holds(refusal_of([&] { Criterion::at_most("", number, limit); }),
                    "a criterion names what it tests"));
@@ -163,8 +150,6 @@ BOOST_AUTO_TEST_CASE(invalid_criteria_are_refused_with_the_line_of_code) {
   };
   BOOST_TEST(holds(agrees(Value(1, exact(), "in"), limit),
                    "1.5 m has m and 1 in has in: give both in the same unit"));
-  BOOST_TEST(holds(agrees(number, {-1, LimitKind::data, "x"}),
-                   "the limit of a difference is 0 or more, not -1"));
   BOOST_TEST(holds(
       refusal_of([&] {
         Criterion::agrees_relatively("x", number, Value(Estimate{0.1, 0.2}, fixed(1), "m"), limit);

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "literate/document/values_tex.hpp"
 #include "messages.hpp"
 
 using literate::Column;
@@ -60,15 +59,6 @@ BOOST_AUTO_TEST_CASE(invalid_registrations_are_refused_with_line_and_key) {
       holds(refused([&] { document.claim("c", {.route = "r"}); }), "claim 'c' has no criterion"));
 }
 
-BOOST_AUTO_TEST_CASE(an_unknown_name_is_refused_with_the_nearest_one) {
-  Document document;
-  document.value("period", Value(2, exact(), "s"));
-  BOOST_TEST(document.value("period").printed() == "2 s");
-  BOOST_TEST(holds(refused([&] { (void)document.value("perod"); }),
-                   "no value 'perod' is registered, did you mean 'period'?"));
-  BOOST_TEST(holds(refused([&] { (void)document.table("t"); }), "no table 't' is registered"));
-}
-
 BOOST_AUTO_TEST_CASE(faults_are_failed_checks_and_unexpected_verdicts) {
   Document document;
   document.check("good", {at_most_one(1)}, "one at most");
@@ -84,7 +74,6 @@ BOOST_AUTO_TEST_CASE(faults_are_failed_checks_and_unexpected_verdicts) {
   BOOST_TEST(holds(faults[1], ": check 'fact' failed: it is so"));
   BOOST_TEST(
       holds(faults[2], ": claim 'unexpected': fails, expected holds; count: 2 (≤ 1): fails"));
-  BOOST_TEST(holds(values_tex(document, "c"), "\\LiterateFailed{3}\n"));
 }
 
 BOOST_AUTO_TEST_CASE(append_keeps_the_order_of_both_parts) {

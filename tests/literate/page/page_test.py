@@ -61,7 +61,10 @@ class Paper:
         self.folder, self.output = folder, folder / "build" / kind
         self.generated, self.latex = self.output / "generated", self.output / "latex"
         self.page, self.settings = self.output / f"{kind}.html", folder / f"build/{kind}.json"
-        shutil.copytree(TESTS / "pendulum/folder", self.generated)
+        for part in re.split("^=== ", (TESTS / "pendulum/folder.txt").read_text(), flags=re.MULTILINE)[1:]:
+            name, text = part.split("\n", 1)
+            (self.generated / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.generated / name).write_text(text)
         (self.generated / "repository.tex").write_text("\\LiterateRepository{0123abc}{2028-11-28}\n")
         (folder / "picture.png").write_bytes(base64.b64decode(PICTURE))
         (folder / "case.toml").write_text("\n")

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pendulum/pendulum.hpp"
-
+// A whole small paper: how much longer the period of a pendulum is at large swings.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,8 +7,8 @@
 #include <vector>
 
 #include "config/table.hpp"
+#include "literate/main/main.hpp"
 
-namespace pendulum {
 namespace {
 
 using literate::Cell;
@@ -122,8 +121,6 @@ void register_claims(literate::Document& document, int angle) {
                                          {0.01, LimitKind::choice, "one part in a hundred"})}});
 }
 
-}  // namespace
-
 void compute(literate::Document& document, const std::filesystem::path& case_file) {
   const Parameters parameters = read_case(case_file);
   const double small = 2 * std::numbers::pi * std::sqrt(parameters.length / parameters.gravity);
@@ -144,4 +141,8 @@ void compute(literate::Document& document, const std::filesystem::path& case_fil
   register_claims(document, parameters.angle);
 }
 
-}  // namespace pendulum
+}  // namespace
+
+int main(int argc, char** argv) {
+  return literate::main(argc, argv, compute);
+}

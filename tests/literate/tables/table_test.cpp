@@ -137,8 +137,6 @@ BOOST_AUTO_TEST_CASE(unprintable_cells_are_refused_with_the_line_of_code) {
   BOOST_TEST(holds(column([] { Column("u", percent(1), "m"); }), "a percentage has no other unit"));
   BOOST_TEST(holds(column([] { Column("u", exact()).scaled(2); }), "only fixed() numbers"));
   BOOST_TEST(holds(column([] { Table("t", {}); }), "table 't' has no column"));
-  BOOST_TEST(table.column("method") == 1);
-  BOOST_TEST(holds(column([&] { (void)table.column("metod"); }), "did you mean 'method'?"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -36,8 +36,6 @@ BOOST_AUTO_TEST_CASE(units_are_printed_with_signs_and_powers) {
     BOOST_TEST(literate::plain_unit(unit) == plain);
     BOOST_TEST(literate::latex_unit(unit) == latex);
   }
-  BOOST_TEST(literate::is_attached("degree"));
-  BOOST_TEST(!literate::is_attached("degC"));
 }
 
 BOOST_AUTO_TEST_CASE(unknown_units_are_refused) {

@@ -71,16 +71,16 @@ class Module(unittest.TestCase):
         self.assertEqual(results["figures"]["line"]["data"], {"points": ["x", "y"]})
         self.assertEqual(results["case"], "case.toml")
 
-    def test_written_files_follow_their_schemas(self):
+    def test_written_files_follow_the_schema(self):
         try:
             from jsonschema import Draft202012Validator
         except ImportError:
             self.skipTest("python3-jsonschema is not installed")
         self.run_script(EVERYTHING)
-        for schema, written in ((ENGINE / "results" / "document.schema.json", "out.json"),
-                                (ENGINE / "document" / "results.schema.json", "generated/results.json")):
+        schema = json.loads((ENGINE / "document" / "results.schema.json").read_text())
+        for written in ("out.json", "generated/results.json"):
             with self.subTest(written):
-                errors = Draft202012Validator(json.loads(schema.read_text())).iter_errors(json.loads((self.folder / written).read_text()))
+                errors = Draft202012Validator(schema).iter_errors(json.loads((self.folder / written).read_text()))
                 self.assertEqual([error.message for error in errors], [])
 
     def test_numpy_arrays_are_accepted(self):

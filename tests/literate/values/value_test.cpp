@@ -117,8 +117,6 @@ BOOST_AUTO_TEST_CASE(the_use_of_an_invalid_value_is_an_error) {
   BOOST_TEST(holds(problem_of({{-3, 1}, fixed(1).rounded_up()}), "-2 is negative"));
   BOOST_TEST(holds(problem_of({{3, 0, 1}, fixed(1).rounded_up()}), "which is not a bound"));
   BOOST_TEST(problem_of({3, exact().rounded_up()}) == "exact() cannot round up");
-  BOOST_TEST(holds(problem_of(Value(1, fixed(1)).within(0)), "within(0)"));
-  BOOST_TEST(holds(problem_of(Value(1, exact()).within(0.1)), "its error is known already"));
   BOOST_TEST(holds(problem_of(Value::text("x").as_is()), "it is a text"));
   BOOST_TEST(holds(problem_of(Value::text("\xff")), "not UTF-8"));
 }

@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rounds the numbers that a script registered, decides its claims, and writes the paper's folder.
-#include <fmt/core.h>
-
-#include <cstdio>
 #include <filesystem>
-#include <string>
 
-#include "literate/main/run.hpp"
-#include "literate/results/read_document.hpp"
+#include "literate/document/read_document.hpp"
+#include "literate/main/main.hpp"
 
 int main(int argc, char** argv) {
   constexpr const char* usage =
       "usage: literate-results REGISTERED.json FOLDER [CASE]\n"
       "Rounds the numbers that a script registered, decides its claims, and writes FOLDER as the\n"
       "program of a paper does. CASE is the file that the script computed from.";
-  const std::string first = argc > 1 ? argv[1] : "";
-  if (first == "--help" || first == "-h") {
-    fmt::print("{}\n", usage);
-    return static_cast<int>(sys::ExitCode::success);
-  }
-  if (argc != 3 && argc != 4) {
-    fmt::print(stderr, "{}\n", usage);
-    return static_cast<int>(sys::ExitCode::bad_input);
-  }
-  return literate::run([&] {
-    const literate::Document document = literate::read_document(first);
+  return literate::run(argc, argv, argc == 3 || argc == 4, usage, [&] {
+    const literate::Document document = literate::read_document(argv[1]);
     const std::filesystem::path case_file = argc == 4 ? argv[3] : argv[1];
     return literate::write_and_report(document, argv[2], case_file.filename().string());
   });
