@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a job sees and which limits it has, in each sandbox that works here. tests/course/attacks contains submissions that attack."""
+"""What a job sees and which limits it has, in each sandbox that works here. attacks.cpp contains submissions that attack."""
 import os
 import tempfile
 import unittest
