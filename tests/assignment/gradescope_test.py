@@ -18,7 +18,7 @@ from toy_course import ARGUMENTS, skip, write
 import proof
 
 READS_SALT = '''#include <fstream>
-#include "assignment.hpp"
+#include "assignment/given/student_functions.hpp"
 namespace exercise {
 double normal_gradient(const Material&, const TriangularLoad&, double x) {
   std::ofstream("@/results/results.json") << "{\\"score\\": 100}";

@@ -54,7 +54,7 @@ class Project(unittest.TestCase):
         toy = assignment.read(TOY / "assignment.toml")
         files = template.project(toy, TOY, ROOT / "src")
         self.assertEqual(files["src/square.cpp"].handout.splitlines()[2:4], ["  // YOUR SOLUTION HERE", "  return 0;"])
-        self.assertEqual(files["provided/judge/tally.cpp"].handout, (ROOT / "src/judge/tally.cpp").read_text(encoding="utf-8"))
+        self.assertEqual(files["provided/judge/judge.cpp"].handout, (ROOT / "src/judge/judge.cpp").read_text(encoding="utf-8"))
         self.assertIn("1. The square, 10 points: `src/square.cpp`\n2. The sum", files["README.md"].handout)
         self.assertIn("    square-even\n    sum-commutes\n", files["CMakeLists.txt"].handout)
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "assignment/exercises/closed_form_checks.hpp"
 #include "assignment/hidden/reference.hpp"
@@ -11,8 +12,8 @@ namespace {
 // Abscissas x/a under the load, beside it, and near the kinks 0 and ±1.
 const Numbers near_the_load = {1e-3, 0.2, -0.5, 0.7071, -0.999, 1, 1.001, -1.5, 4, -15};
 
-Outcome gradient_is_right(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+Outcome gradient_is_right(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const Numbers x = times(surface.half_width, near_the_load);
   const Numbers reference = slopes_in_closed_form(surface, x);
   const Numbers found = ask(program, surface, x);
@@ -24,8 +25,8 @@ Outcome gradient_is_right(const Program& program, const OwnNumbers& own) {
   return tally.outcome();
 }
 
-Outcome gradient_keeps_digits(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+Outcome gradient_keeps_digits(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const Numbers xi = {1e2, -1e4, 1e6, -1e8};
   const Numbers x = times(surface.half_width, xi);
   const Numbers found = ask(program, surface, x);

@@ -7,11 +7,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <vector>
 
-#include "assignment/exercises/contact_solver.hpp"
 #include "assignment/exercises/influence_checks.hpp"
-#include "assignment/given/bodies.hpp"
 #include "assignment/given/task.hpp"
 
 namespace assignment::contact_solver {
@@ -76,10 +75,10 @@ inline Cylinders with_load(Cylinders cylinders, double share) {
   return cylinders;
 }
 
-inline Outcome contact_carries_the_load(const Program& program, const OwnNumbers& own) {
+inline Outcome contact_carries_the_load(const Program& program, const std::string& id) {
   Tally tally("the sum of the pressures times the spacing is the load");
   for (const double share : {1., 0.6}) {
-    const Cylinders c = with_load(cylinders_of(own), share);
+    const Cylinders c = with_load(cylinders_of(id), share);
     const Numbers p = ask(program, c).pressure;
     const double carried = c.spacing * std::accumulate(p.begin(), p.end(), 0.0);
     tally.part(near(carried, c.line_load, pressure_roundings * c.line_load),
@@ -88,8 +87,8 @@ inline Outcome contact_carries_the_load(const Program& program, const OwnNumbers
   return tally.outcome();
 }
 
-inline Outcome contact_pressure_has_the_shape(const Program& program, const OwnNumbers& own) {
-  const Numbers p = ask(program, cylinders_of(own)).pressure;
+inline Outcome contact_pressure_has_the_shape(const Program& program, const std::string& id) {
+  const Numbers p = ask(program, cylinders_of(id)).pressure;
   const double top = greatest(p);
   const std::size_t n = p.size();
   bool is_symmetric = top > 0;
@@ -106,10 +105,10 @@ inline Outcome contact_pressure_has_the_shape(const Program& program, const OwnN
   return tally.outcome();
 }
 
-inline Outcome contact_closes_the_gap(const Program& program, const OwnNumbers& own) {
+inline Outcome contact_closes_the_gap(const Program& program, const std::string& id) {
   Tally tally("the gap u_z1 + u_z2 + h − δ");
   for (const double share : {1., 0.6}) {
-    const Cylinders c = with_load(cylinders_of(own), share);
+    const Cylinders c = with_load(cylinders_of(id), share);
     const Answer contact = ask(program, c);
     const Numbers gap = gaps(program, c, contact);
     const double edge = c.x(c.n_nodes - 1);
@@ -135,9 +134,9 @@ inline bool same(const Numbers& a, const Numbers& b, double tolerance) {
   return all;
 }
 
-inline Outcome contact_scales(const Program& program, const OwnNumbers& own) {
+inline Outcome contact_scales(const Program& program, const std::string& id) {
   constexpr double tolerance = 100 * pressure_roundings;
-  const Cylinders c = cylinders_of(own);
+  const Cylinders c = cylinders_of(id);
   Cylinders large = with_load(c, 4);
   large.spacing *= 2;
   large.datum *= 2;
@@ -166,8 +165,8 @@ inline double half_width_on(const Program& program, Cylinders c, double a, int s
   return ask(program, c).half_width;
 }
 
-inline Outcome contact_half_width_converges(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+inline Outcome contact_half_width_converges(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double a = ask(program, c).half_width;
   if (!(a > 0)) return {0, "the half-width is not positive"};
   Tally tally(

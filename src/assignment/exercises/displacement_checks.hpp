@@ -4,11 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "assignment/exercises/closed_form_checks.hpp"
-#include "assignment/exercises/displacement.hpp"
-#include "assignment/given/bodies.hpp"
-#include "assignment/given/shapes.hpp"
 #include "assignment/given/task.hpp"
 
 namespace assignment::displacement {
@@ -29,8 +27,8 @@ inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
   return judge::answer_of(program, "displacement", inputs, x.size());
 }
 
-inline Outcome displacement_keeps_datum(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome displacement_keeps_datum(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const double a = surface.half_width;
   const double datum = surface.datum;
   const Numbers u = ask(program, surface, {datum, -datum, 0.6 * a, -0.6 * a, 4 * a, -4 * a});
@@ -50,8 +48,8 @@ inline double slope_of(const Numbers& u, std::size_t first, double h) {
   return (u[first] - 8 * u[first + 1] + 8 * u[first + 3] - u[first + 4]) / (12 * h);
 }
 
-inline Outcome displacement_has_the_slope(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome displacement_has_the_slope(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const double a = surface.half_width;
   const Numbers xi = {0.25, -0.5, 0.7, 1.4, 4};
   // A tenth of the distance to the nearest kink, which gives an error of 1e-5.
@@ -70,8 +68,8 @@ inline Outcome displacement_has_the_slope(const Program& program, const OwnNumbe
   return tally.outcome();
 }
 
-inline Outcome displacement_has_the_shape(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome displacement_has_the_shape(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const double a = surface.half_width;
   const Numbers u =
       ask(program, surface, {0, 0.5 * a, a, 3 * a, 50 * a, 100 * a, 200 * a, 400 * a});

@@ -5,10 +5,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "assignment/exercises/displacement_checks.hpp"
-#include "assignment/exercises/influence.hpp"
-#include "assignment/given/bodies.hpp"
 #include "assignment/given/task.hpp"
 
 namespace assignment::influence {
@@ -30,8 +29,8 @@ inline Numbers ask(const Program& program, double contact_modulus, double spacin
   return judge::answer_of(program, "influence", inputs, k.size());
 }
 
-inline Outcome influence_has_the_shape(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+inline Outcome influence_has_the_shape(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double datum = 40 * c.spacing;
   const Numbers u = ask(program, c.contact_modulus(), c.spacing, datum,
                         {0, 1, 2, 3, 7, -1, -7, 40, 100, 200, 400});
@@ -47,8 +46,8 @@ inline Outcome influence_has_the_shape(const Program& program, const OwnNumbers&
   return tally.outcome();
 }
 
-inline Outcome influence_refines(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+inline Outcome influence_refines(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double modulus = c.contact_modulus();
   const Numbers k = {0, 1, 2, 3, 4, 5};
   const Numbers large = ask(program, modulus, 2 * c.spacing, c.datum, k);
@@ -71,8 +70,8 @@ inline Outcome influence_refines(const Program& program, const OwnNumbers& own) 
   return tally.outcome();
 }
 
-inline Outcome influence_is_displacement(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+inline Outcome influence_is_displacement(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double modulus = c.contact_modulus();
   const Numbers k = {0, 1, 2, 7, 30};
   const Numbers coefficients = ask(program, modulus, c.spacing, c.datum, k);

@@ -5,11 +5,9 @@
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 
 #include "assignment/exercises/closed_form_checks.hpp"
-#include "assignment/exercises/quadrature.hpp"
-#include "assignment/given/bodies.hpp"
-#include "assignment/given/shapes.hpp"
 #include "assignment/given/task.hpp"
 
 namespace assignment::quadrature {
@@ -52,8 +50,8 @@ inline Answer ask(const Program& program, const Surface& s, const Numbers& x) {
   return found;
 }
 
-inline Outcome quadrature_agrees(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome quadrature_agrees(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const Numbers x = times(surface.half_width, Numbers(std::begin(points), std::end(points)));
   const Numbers g = closed_form::ask(program, surface, x);
   const Numbers q = ask(program, surface, x).value;
@@ -65,8 +63,8 @@ inline Outcome quadrature_agrees(const Program& program, const OwnNumbers& own) 
   return tally.outcome();
 }
 
-inline Outcome quadrature_error_covers(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome quadrature_error_covers(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const Numbers x = times(surface.half_width, Numbers(std::begin(points), std::end(points)));
   const Numbers g = closed_form::ask(program, surface, x);
   const Answer q = ask(program, surface, x);

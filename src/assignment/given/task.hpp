@@ -5,16 +5,15 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "assignment/given/numbers.hpp"
+#include "assignment/given/bodies.hpp"
 #include "judge/check.hpp"
-#include "judge/tally.hpp"
 
 namespace assignment {
 
 using judge::at;
+using judge::Checks;
 using judge::greatest;
 using judge::joined;
 using judge::near;
@@ -40,25 +39,6 @@ Numbers for_each_from(std::size_t first, const Numbers& in, const Compute& compu
   Numbers out;
   for (std::size_t i = first; i < in.size(); ++i) compute(in[i], out);
   return out;
-}
-
-/// A check with its id in assignment.toml.
-struct Check {
-  std::string id;
-  Outcome (*outcome)(const Program& program, const OwnNumbers& own);
-};
-
-using Checks = std::vector<Check>;
-
-/// The checks with these numbers, in the form that a judge needs.
-inline std::vector<judge::Check> bound(const Checks& checks, const OwnNumbers& own) {
-  std::vector<judge::Check> result;
-  for (const Check& check : checks) {
-    result.push_back({check.id, [outcome = check.outcome, own](const Program& program) {
-                        return outcome(program, own);
-                      }});
-  }
-  return result;
 }
 
 /// A relative tolerance for rounding errors and for the digits that a sum of logarithms loses near

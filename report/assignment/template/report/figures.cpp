@@ -14,10 +14,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "assignment.hpp"
 #include "assignment/given/bodies.hpp"
-#include "assignment/given/numbers.hpp"
-#include "assignment/given/shapes.hpp"
 
 namespace {
 
