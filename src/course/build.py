@@ -92,7 +92,6 @@ class Built:
 class Builder:
     def __init__(self, assignment, kit, sandbox, store):
         self.assignment, self.kit, self.sandbox, self.store = assignment, kit, sandbox, Path(store)
-        self.used = set()  # names of the results in the store that were used
 
     def build(self, files):
         """Builds the programs of all exercises from a submission's files, {name: bytes}."""
@@ -124,9 +123,7 @@ class Builder:
 
     def compile(self, exercise, text, built):
         """Compiles one file. Returns the folder with object.o and `symbols`, the list of names that it defines or needs."""
-        left = self.assignment.limits.submission_seconds / 2 - built.seconds
-        most = self.assignment.limits.compile_seconds
-        seconds = int(max(0.4 * most, min(most, left)))
+        seconds = self.assignment.limits.compile_seconds
         includes = [f"-I{self.sandbox.kit}/{name}" for name in ("src", "provided")]
         words = ["g++", *FLAGS, *includes, "-c", exercise.file, "-o", "object.o"]
         script = '"$@" && nm --extern-only --format=posix object.o > symbols'
@@ -149,7 +146,6 @@ class Builder:
         """Returns the folder with a job's result. Runs the job unless the store has it. Records a failure in built.errors."""
         key = hash_of(self.kit.key, [word.replace(self.sandbox.kit, "KIT") for word in words], inputs)
         folder = self.store / key
-        self.used.add(key)
         if not folder.exists():
             # The job may write to its own folder, but not to the store, which holds the results of other jobs.
             new = Path(tempfile.mkdtemp(prefix=".", dir=self.store))

@@ -7,12 +7,13 @@ submission runs as a user who can neither read the judge and the salt nor write 
 import dataclasses
 import json
 import os
+import shutil
 import sys
 import tempfile
 from pathlib import Path
 
 from assignment import from_table
-from build import Kit
+from build import Kit, write
 from errors import BadInput, ToolFailure
 from grading import Grader, Judge, results_json, teacher_text
 from sandbox import User
@@ -37,13 +38,17 @@ exec python3 /autograder/source/course/gradescope.py grade
 """
 
 
-def files(assignment, handout, judge):
-    """Returns the files of the zip, {name: text or bytes}."""
-    return {"setup.sh": SETUP, "run_autograder": RUN,
-            **{f"course/{name}.py": (HERE / f"{name}.py").read_text(encoding="utf-8") for name in MODULES},
-            "assignment.json": json.dumps(dataclasses.asdict(assignment)),
-            "judge": judge.program.read_bytes(), "salt": judge.salt_file.read_bytes(),
-            **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp"))}}
+def pack(assignment, handout, judge, output):
+    """Writes the zip."""
+    with tempfile.TemporaryDirectory() as folder:
+        write({"setup.sh": SETUP, "run_autograder": RUN,
+               **{f"course/{name}.py": (HERE / f"{name}.py").read_bytes() for name in MODULES},
+               "assignment.json": json.dumps(dataclasses.asdict(assignment)),
+               "judge": judge.program.read_bytes(), "salt": judge.salt_file.read_bytes(),
+               **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp"))}}, folder)
+        for name in ("setup.sh", "run_autograder", "judge"):
+            os.chmod(Path(folder, name), 0o755)
+        shutil.make_archive(output.with_suffix(""), "zip", folder)
 
 
 def read_assignment(source):

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Typesets the assignment sheet, a LaTeX file that reads tables and numbers written here from assignment.toml and the judge."""
-import os
 import shutil
-import subprocess
 import tempfile
 from pathlib import Path
 
-from errors import ToolFailure
+from errors import run_tool
 
-ENVIRONMENT = {**os.environ, "SOURCE_DATE_EPOCH": "946684800", "FORCE_SOURCE_DATE": "1", "TZ": "UTC", "LC_ALL": "C"}
+REPRODUCIBLE = {"SOURCE_DATE_EPOCH": "946684800", "FORCE_SOURCE_DATE": "1", "TZ": "UTC", "LC_ALL": "C"}
 UNITS = {"Pa": [(1e9, "GPa"), (1e6, "MPa")], "m": [(1e-3, "mm"), (1e-6, "\\textmu m")], "N/m": [(1e3, "kN/m")]}
 
 
@@ -59,8 +57,8 @@ def typeset(assignment, judge, folder):
         for name, text in generated(assignment, judge).items():
             Path(work, name).write_text(text, encoding="utf-8")
         for script in sorted(Path(work).glob("*.gp")):
-            run(["gnuplot", script.name], work)
-        run(["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "sheet.tex"], work)
+            run_tool(["gnuplot", script.name], work, **REPRODUCIBLE)
+        run_tool(["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "sheet.tex"], work, **REPRODUCIBLE)
         return Path(work, "sheet.pdf").read_bytes()
 
 
@@ -68,16 +66,4 @@ def text_of(pdf):
     with tempfile.NamedTemporaryFile(suffix=".pdf") as file:
         file.write(pdf)
         file.flush()
-        return run(["pdftotext", file.name, "-"], "/")
-
-
-def run(words, folder):
-    try:
-        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace", env=ENVIRONMENT, check=False)
-    except OSError as error:
-        raise ToolFailure(f"{words[0]}: {error.strerror}; run \"make setup course\"") from None
-    if done.returncode != 0:
-        lines = (done.stdout + done.stderr).splitlines()
-        errors = [line for line in lines if line.startswith(("!", "l.")) or ".gp" in line]
-        raise ToolFailure(f"{words[0]} fails for the sheet: " + " ".join(errors or lines[-3:]))
-    return done.stdout
+        return run_tool(["pdftotext", file.name, "-"], "/")

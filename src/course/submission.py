@@ -40,7 +40,7 @@ class Member:
             with self.open() as stream:
                 content = stream.read((max_kb << 10) + 1)
         except (OSError, EOFError, RuntimeError, NotImplementedError, zipfile.BadZipFile, zlib.error) as error:
-            reason = "it needs a password" if "password" in str(error) else getattr(error, "strerror", None) or error
+            reason = "it needs a password" if "password" in str(error) else error
             raise Unusable(f"{self.path} cannot be read: {reason}") from None
         if len(content) > max_kb << 10:
             raise Unusable(f"{self.path} is larger than {max_kb} kB")
@@ -94,7 +94,7 @@ def zip_members(source):
     """Lists the files of a zip. Raises Unusable if the zip is damaged."""
     try:
         packed = zipfile.ZipFile(source)
-    except (OSError, ValueError, NotImplementedError, zipfile.BadZipFile) as error:
+    except (ValueError, NotImplementedError, zipfile.BadZipFile) as error:
         raise Unusable(f"the zip is damaged: {error}") from None
     members = []
     for info in packed.infolist():
@@ -113,8 +113,6 @@ def without_junk(members):
 
 def submissions_in(source):
     """Finds the submissions in a folder or in the zip of a class, sorted by id."""
-    if not os.path.lexists(source):
-        raise BadInput(f"{source}: no such file or folder")
     try:
         members = folder_members(source) if source.is_dir() else zip_members(source)
     except Unusable as error:
@@ -129,8 +127,6 @@ def submissions_in(source):
             submission.problem = f"there are two submissions, {entries[id]} and {entry}"
         elif not ID.fullmatch(id):
             submission.problem = "its name is not an id: ids begin with a letter or digit and contain letters, digits, spaces and _.@+-"
-        elif not inner and member.open is None:
-            submission.problem = "the submission is a link"
         submission.members.append(Member(PurePosixPath(own or "", *inner) if own or inner else PurePosixPath(entry), member.open))
     for entry in source.iterdir() if source.is_dir() else []:
         if entry.is_dir() and not entry.name.startswith("."):

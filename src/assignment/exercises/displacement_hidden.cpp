@@ -38,8 +38,9 @@ Outcome displacement_is_right(const Program& program, const std::string& id) {
 }
 
 Outcome displacement_is_right_elsewhere(const Program& program, const std::string& id) {
-  const OwnNumbers own = own_numbers(id);
-  Surface surface{own.young2, own.poisson2, 0.37 * own.peak_pressure, 2.3 * own.half_width, 0};
+  const OwnNumbers other = own_numbers(id);
+  Surface surface{other.young2, other.poisson2, 0.37 * other.peak_pressure, 2.3 * other.half_width,
+                  0};
   Tally tally("u_z is right to 1e-8 of p0 a/E for a different material, size and datum");
   for (const double datum : {0.45, 1.0, -2.5, 60.0}) {
     surface.datum = datum * surface.half_width;
