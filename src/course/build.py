@@ -12,11 +12,10 @@ import os
 import shutil
 import subprocess
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from errors import ToolFailure
+from errors import Disproved, progress, run_tool
 
 # Under a memory limit g++ collects garbage so often that Eigen takes 50 % longer to compile, unless its heap may grow to 200 MB.
 FLAGS = ["-std=c++20", "-O2", "-pipe", "--param=ggc-min-heapsize=200000", "-I/usr/include/eigen3", "-fmax-errors=10",
@@ -43,42 +42,27 @@ def write(files, folder):
 
 
 class Kit:
-    """The code of the handout, compiled once: the stub of each exercise, and the provided files."""
+    """The handout, built once by its own CMakeLists.txt. Its objects are the stubs of the exercises and the provided code."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        key = self.folder / "key"
-        self.key = key.read_text() if key.exists() else ""
-        self.given = sorted(path.name for path in self.folder.glob("given-*.o"))
+        self.key, self.log = ((self.folder / name).read_text(encoding="utf-8") for name in ("key", "log"))
+        objects = self.folder.glob("build/CMakeFiles/*.dir/provided/**/*.o")
+        self.given = sorted(path.relative_to(self.folder).as_posix() for path in objects if "checks.dir" not in path.parts)
 
     @classmethod
-    def compiled(cls, folder, assignment, handout, jobs, progress=lambda what, done, total: None):
-        """Returns the kit in this folder. Compiles it first unless it was made from the same handout, {name: text}."""
-        code = {name: text for name, text in sorted(handout.items()) if name.endswith((".cpp", ".hpp"))}
+    def built(cls, folder, handout, jobs):
+        """Returns the kit in this folder. Builds it first unless it was built from the same handout, {name: text}."""
+        code = {name: text for name, text in sorted(handout.items()) if name.endswith((".cpp", ".hpp", ".txt"))}
         compiler = subprocess.run(["g++", "--version"], capture_output=True, check=False).stdout
         key = hash_of(compiler, FLAGS, code)
-        if cls(folder).key == key:
-            return cls(folder)
-        new = Path(f"{folder}.new")
-        shutil.rmtree(new, ignore_errors=True)
-        write(code, new)
-        objects = {exercise.file: f"stub-{exercise.id}.o" for exercise in assignment.exercise}
-        given = [name for name in code if name.startswith("provided/") and name.endswith(".cpp") and name != "provided/checks.cpp"]
-        objects |= {name: f"given-{number}.o" for number, name in enumerate(given)}
-
-        def compile_one(name):
-            words = ["g++", *FLAGS, "-Isrc", "-Iprovided", "-c", name, "-o", objects[name]]
-            done = subprocess.run(words, cwd=new, capture_output=True, text=True, check=False)
-            if done.returncode != 0:
-                raise ToolFailure(f"{name} of the handout does not compile: {done.stderr.strip()}")
-
-        progress("compiling the kit", 0, len(objects))
-        with ThreadPoolExecutor(jobs) as pool:
-            for number, _ in enumerate(pool.map(compile_one, objects), 1):
-                progress("compiling the kit", number, len(objects))
-        (new / "key").write_text(key)
-        shutil.rmtree(folder, ignore_errors=True)
-        new.rename(folder)
+        if not Path(folder, "key").exists() or cls(folder).key != key:
+            shutil.rmtree(folder, ignore_errors=True)
+            write(code, folder)
+            progress("building the handout", 0, 1)
+            log = run_tool(["cmake", "-B", "build"], folder, Disproved)
+            log += run_tool(["cmake", "--build", "build", "--parallel", str(jobs)], folder, Disproved)
+            write({"log": log, "key": key}, folder)
         return cls(folder)
 
 
@@ -86,7 +70,6 @@ class Kit:
 class Built:
     programs: dict = field(default_factory=dict)  # {exercise id: the folder that contains `program`}
     errors: dict = field(default_factory=dict)  # {exercise id: why its file was left out}
-    seconds: float = 0  # time spent on compiling and linking
 
 
 class Builder:
@@ -135,7 +118,7 @@ class Builder:
         for other in self.assignment.exercise:
             if other.id in own:
                 inputs[f"{other.id}.o"] = own[other.id].read_bytes()
-            objects.append(f"{other.id}.o" if other.id in own else f"{self.sandbox.kit}/stub-{other.id}.o")
+            objects.append(f"{other.id}.o" if other.id in own else f"{self.sandbox.kit}/build/CMakeFiles/exercise.dir/{other.file}.o")
         given = [f"{self.sandbox.kit}/{name}" for name in self.kit.given]
         folder = self.run_job(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
         if exercise.id in built.errors:
@@ -151,13 +134,10 @@ class Builder:
             new = Path(tempfile.mkdtemp(prefix=".", dir=self.store))
             write(inputs, new)
             os.chmod(new, 0o777)
-            ended = self.sandbox.run(words, new, seconds, self.sandbox.clock)
+            status, text = self.sandbox.run(words, new, seconds, self.sandbox.clock)
             os.chmod(new, 0o755)
-            built.seconds += ended.seconds
-            if ended.is_hung:
-                raise ToolFailure(f"the compiler did not end within {self.sandbox.clock} s; is the machine too busy?")
-            if ended.status != 0:
-                write({"error": self.message(ended.text, seconds)}, new)
+            if status != 0:
+                write({"error": self.message(text, seconds)}, new)
             try:
                 new.rename(folder)
             except OSError:  # a different thread has stored the same result meanwhile

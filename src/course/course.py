@@ -7,8 +7,8 @@ import json
 import os
 import secrets
 import shutil
+import signal
 import sys
-import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
@@ -20,7 +20,7 @@ import sheet
 import template
 from build import Kit, hash_of, write
 from class_file import ClassFile
-from errors import BadInput, Disproved, ToolFailure
+from errors import BadInput, Disproved, ToolFailure, progress
 from grading import Grader, Judge, feedback_text, results_json, teacher_text
 from proof import Proof, secrets_of
 from sandbox import SANDBOXES
@@ -35,19 +35,6 @@ EXAMPLES = """examples:
 exit codes: 0 success, 1 a claim does not hold or a submission was not graded, 2 bad input, 3 a tool failed"""
 
 
-class Progress:
-    """Prints a count on standard error: at the beginning of a long step, then at most once a second."""
-
-    def __init__(self):
-        self.latest = time.monotonic()
-
-    def __call__(self, what, done, total):
-        now = time.monotonic()
-        if done == 0 or now - self.latest > 1:
-            self.latest = now
-            print(f"{what}: {done} of {total}", file=sys.stderr)
-
-
 class Course:
     """What all commands use: the assignment, the students' project, and the folders for results."""
 
@@ -60,7 +47,6 @@ class Course:
         self.handout = {name: file.handout for name, file in self.project.items()}
         self.salt_file = options.salt_file.resolve()
         self.judge_file = options.judge.resolve()
-        self.progress = Progress()
         self.work.mkdir(parents=True, exist_ok=True)
 
     def require_salt(self):
@@ -84,8 +70,9 @@ def prove(options):
         print(f"{course.salt_file}: a new salt for the hidden checks; keep this file, and keep it secret")
     judge = Judge(course.judge_file, course.salt_file)
     proof = Proof(course, judge, SANDBOXES[options.sandbox], options.jobs)
-    pdf = proof.sheet(lambda: sheet.typeset(course.assignment, judge, course.folder))
-    proof.prove(course.secrets(), sheet.text_of(pdf), options.update)
+    inputs = sheet.inputs(course.assignment, judge, course.folder)
+    pdf = proof.sheet(inputs, sheet.typeset)
+    proof.prove(course.secrets(), inputs, options.update)
 
     replace_folder(output, {**course.handout, "sheet.pdf": pdf})
     packed = shutil.make_archive(output, "zip", course.build, output.name)
@@ -153,7 +140,7 @@ def read_submissions(source, assignment):
 def grade_all(course, options, submitted):
     """Grades submissions in parallel. Yields each id with its Graded, or with the exception that the grader raised."""
     judge = Judge(course.judge_file, course.salt_file)
-    kit = Kit.compiled(course.work / "kit", course.assignment, course.handout, options.jobs, course.progress)
+    kit = Kit.built(course.work / "kit", course.handout, options.jobs)
     sandbox_class = SANDBOXES[options.sandbox]
     sandbox_class(kit.folder, course.assignment.limits).require()
     scratch = course.work / "scratch"
@@ -166,11 +153,11 @@ def grade_all(course, options, submitted):
         shutil.rmtree(scratch / id, ignore_errors=True)
         return graded
 
-    course.progress("graded", 0, len(submitted))
+    progress("graded", 0, len(submitted))
     with ThreadPoolExecutor(options.jobs) as pool:
         waiting = {pool.submit(grade_one, id): id for id in submitted}
         for number, future in enumerate(as_completed(waiting), 1):
-            course.progress("graded", number, len(submitted))
+            progress("graded", number, len(submitted))
             yield waiting[future], future.exception() or future.result()
 
 
@@ -241,12 +228,9 @@ def parser():
 def main():
     options = parser().parse_args()
     os.umask(0o022)  # a job runs as a different user
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # ends this process at once, and with it its jobs
     try:
         return options.run(options)
-    except KeyboardInterrupt:
-        # The jobs end with this process. Do not wait for the threads, which wait for the jobs.
-        print("interrupted; finished results are kept", file=sys.stderr, flush=True)
-        os._exit(130)
     except (BadInput, ToolFailure, Disproved) as error:
         print(error, file=sys.stderr)
         return {BadInput: 2, ToolFailure: 3, Disproved: 1}[type(error)]

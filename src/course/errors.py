@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The errors that end a command, each with a message for the user, and the way to call a tool."""
+"""The errors that end a command, each with a message for the user, and the way to call a tool and to report progress."""
 import os
 import subprocess
+import sys
 
 
 class BadInput(Exception):
@@ -27,3 +28,7 @@ def run_tool(words, folder, failure=ToolFailure, **environment):
     if done.returncode != 0:
         raise failure(f"{' '.join(words)} fails:\n{output.strip()[-3000:]}")
     return output
+
+
+def progress(what, done, total):
+    print(f"{what}: {done} of {total}", file=sys.stderr)

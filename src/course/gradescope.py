@@ -28,7 +28,8 @@ SETUP = """#!/bin/sh
 set -eu
 cd "$(dirname "$0")"
 apt-get update
-DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends g++ libeigen3-dev libgsl-dev python3
+DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends g++ cmake make pkg-config libeigen3-dev libgsl-dev \\
+  python3
 [ "$(uname -m)" = x86_64 ] || { echo 'setup.sh: the judge runs on x86-64 only' >&2; exit 3; }
 python3 course/gradescope.py setup
 """
@@ -45,7 +46,7 @@ def pack(assignment, handout, judge, output):
                **{f"course/{name}.py": (HERE / f"{name}.py").read_bytes() for name in MODULES},
                "assignment.json": json.dumps(dataclasses.asdict(assignment)),
                "judge": judge.program.read_bytes(), "salt": judge.salt_file.read_bytes(),
-               **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp"))}}, folder)
+               **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp", ".txt"))}}, folder)
         for name in ("setup.sh", "run_autograder", "judge"):
             os.chmod(Path(folder, name), 0o755)
         shutil.make_archive(output.with_suffix(""), "zip", folder)
@@ -58,8 +59,8 @@ def read_assignment(source):
 def setup(source):
     """Compiles the kit, which submissions may read. They may read nothing else."""
     handout = source / "handout"
-    texts = {path.relative_to(handout).as_posix(): path.read_text(encoding="utf-8") for path in handout.rglob("*.?pp")}
-    Kit.compiled(AUTOGRADER / "kit", read_assignment(source), texts, os.cpu_count())
+    texts = {path.relative_to(handout).as_posix(): path.read_text(encoding="utf-8") for path in handout.rglob("*.*")}
+    Kit.built(AUTOGRADER / "kit", texts, os.cpu_count())
     os.chmod(source / "judge", 0o700)
     os.chmod(source, 0o700)
 

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Proves five claims about the handout. A claim is proved again only when something that it depends on has changed."""
 import re
-import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 from assignment import dataclass_from, read_toml
-from build import Kit, hash_of, write
-from errors import BadInput, Disproved, run_tool
+from build import Kit, hash_of
+from errors import BadInput, Disproved, progress, run_tool
 from grading import Grader, Judge
 
 IDS = [f"student{number}" for number in range(1, 21)]
@@ -54,12 +53,12 @@ class Proof:
     """Proves the claims about the handout of a Course, and prints each claim that holds."""
 
     def __init__(self, course, judge, sandbox_class, jobs):
-        self.course, self.assignment, self.handout, self.progress = course, course.assignment, course.handout, course.progress
+        self.course, self.assignment, self.handout = course, course.assignment, course.handout
         self.judge, self.sandbox_class, self.jobs = judge, sandbox_class, jobs
         self.files = [exercise.file for exercise in self.assignment.exercise]
         self.store = course.work / "store"
         self.store.mkdir(parents=True, exist_ok=True)
-        self.kit = Kit.compiled(course.work / "kit", self.assignment, self.handout, jobs, self.progress)
+        self.kit = Kit.built(course.work / "kit", self.handout, jobs)
         sandbox_class(self.kit.folder, self.assignment.limits).require()
 
     def grade(self, files, student="", judge=None):
@@ -67,24 +66,19 @@ class Proof:
         sandbox = self.sandbox_class(self.kit.folder, self.assignment.limits)
         return Grader(self.assignment, self.kit, sandbox, judge or self.judge, self.store).grade(files, student)
 
-    def sheet(self, typeset):
+    def sheet(self, inputs, typeset):
         """Returns the sheet as a PDF. Typesets it only if one of its inputs has changed."""
-        sources = sorted([self.course.folder / "sheet.tex", *self.course.folder.glob("figures/*")])
-        key = hash_of("sheet", self.assignment, self.judge.numbers(), *(path.read_bytes() for path in sources))
-        path = self.store / f"{key}.pdf"
+        path = self.store / f"{hash_of('sheet', sorted(inputs.items()))}.pdf"
         if not path.exists():
-            self.progress("typesetting the sheet", 0, 1)
-            path.write_bytes(typeset())
+            progress("typesetting the sheet", 0, 1)
+            path.write_bytes(typeset(inputs))
         return path.read_bytes()
 
-    def prove(self, secrets, sheet_text, update):
+    def prove(self, secrets, sheet, update):
         """Proves the five claims in order. Raises Disproved for the first one that does not hold."""
         solution = {name: self.course.project[name].solution.encode() for name in self.files}
         wrong_solutions = read_wrong_solutions(self.course.folder / "wrong_solutions.toml", solution)
-        key = self.store / f"{hash_of('builds', self.kit.key, *self.handout.items())}.held"
-        if not key.exists():
-            self.builds()
-            key.touch()
+        self.builds()
         print("1. the handout builds without warnings, and ctest lists every public check", flush=True)
 
         blank = self.grade({name: self.handout[name].encode() for name in self.files})
@@ -99,20 +93,15 @@ class Proof:
         self.wrong_solutions_score_as_listed(wrong_solutions, update)
         print(f"4. each of {len(wrong_solutions)} wrong solutions scores its listed points", flush=True)
 
-        found = leaks({**self.handout, "sheet.pdf": sheet_text}, secrets)
+        found = leaks({**self.handout, **sheet}, secrets)
         if found:
             raise Disproved("the handout contains secrets:\n" + "\n".join(found))
         print("5. no file contains a secret", flush=True)
 
     def builds(self):
-        with tempfile.TemporaryDirectory(prefix="course-") as work:
-            write(self.handout, work)
-            self.progress("building the handout", 0, 1)
-            output = run_tool(["cmake", "-B", "build"], work, Disproved)
-            output += run_tool(["cmake", "--build", "build", "--parallel", str(self.jobs)], work, Disproved)
-            if "warning" in output.lower():
-                raise Disproved(f"the handout builds with warnings:\n{output.strip()}")
-            listed = run_tool(["ctest", "--test-dir", "build", "--show-only"], work, Disproved)
+        if "warning" in self.kit.log.lower():
+            raise Disproved(f"the handout builds with warnings:\n{self.kit.log.strip()}")
+        listed = run_tool(["ctest", "--test-dir", "build", "--show-only"], self.kit.folder)
         for check in self.assignment.checks:
             if check.is_public and not re.search(rf": {re.escape(check.id)}$", listed, re.MULTILINE):
                 raise Disproved(f"ctest of the handout does not list the public check '{check.id}'")
@@ -122,7 +111,7 @@ class Proof:
         self.grade(solution)  # compiles the solution once, before the threads need it
         with ThreadPoolExecutor(self.jobs) as pool:
             for number, (student, graded) in enumerate(zip(students, pool.map(lambda id: self.grade(solution, id), students)), 1):
-                self.progress("trying ids", number, len(students))
+                progress("trying ids", number, len(students))
                 if graded.points != self.assignment.points:
                     lost = [f"{result.check.id}: {result.points:g} of {result.check.points:g}: {result.message}"
                             for result in graded.results if result.points != result.check.points]
@@ -136,7 +125,7 @@ class Proof:
         with ThreadPoolExecutor(self.jobs) as pool:
             all_graded = pool.map(lambda entry: self.grade(entry[1], judge=nominal), listed)
             for number, ((wrong, _), graded) in enumerate(zip(listed, all_graded), 1):
-                self.progress("wrong solutions", number, len(listed))
+                progress("wrong solutions", number, len(listed))
                 if graded.errors:
                     raise Disproved(f"{file}: '{wrong.id}' {first_error(graded)}")
                 points[wrong.id] = graded.points

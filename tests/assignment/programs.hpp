@@ -3,7 +3,9 @@
 // mistake.
 #pragma once
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -72,6 +74,18 @@ inline Program misled(const std::string& task, const std::function<void(Numbers&
 /// The correct program, except that the answers of one task are multiplied by a factor.
 inline Program scaled(const std::string& task, double factor) {
   return spoiled(task, [=](Numbers& out) { out = judge::times(factor, out); });
+}
+
+/// The correct program, except that the quadrature reports what `report` returns for its error and
+/// the greatest slope.
+inline Program reporting(const std::function<double(double error, double greatest)>& report) {
+  return spoiled("gradient_by_quadrature", [=](Numbers& out) {
+    double greatest = 0;
+    for (std::size_t i = 0; i < out.size(); i += 2) {
+      greatest = std::max(greatest, std::abs(out[i]));
+    }
+    for (std::size_t i = 1; i < out.size(); i += 2) out[i] = report(out[i], greatest);
+  });
 }
 
 enum class Kind { public_checks, hidden_checks };

@@ -79,7 +79,7 @@ class AtHome(unittest.TestCase):
 
 if __name__ == "__main__":
     require_bubblewrap()
-    for tool in ("cmake", "latexmk", "gnuplot", "pdftotext"):
+    for tool in ("cmake", "latexmk", "gnuplot"):
         if not shutil.which(tool):
             skip(f"{tool} is not installed")
     real_assignment.main()

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that attack the grader, or are odd. attacks_test.py submits each section as src/square.cpp
 // of a submission with its name. The numbers are the points that the three exercises must score.
+// The lines before the first section are in each of these files.
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "assignment.hpp"
 
 // == agrees_with_itself 0 10 6: passes the public check by symmetry but is wrong
-#include <cmath>
 double square(double x) {
   return std::abs(x);
 }
@@ -15,8 +24,6 @@ double square(double) {
 }
 
 // == answers_in_advance 0 10 0: answers before the first question
-#include <unistd.h>
-#include <cstdio>
 __attribute__((constructor(101))) static void answer() {
   ::dprintf(1, "2.25\n");
 }
@@ -25,23 +32,18 @@ double square(double) {
 }
 
 // == answers_late 0 10 6: a correct answer to every question, after nine seconds
-#include <unistd.h>
 double square(double x) {
   ::sleep(9);
   return x * x;
 }
 
 // == answers_twice 0 10 6: answers a question twice
-#include <unistd.h>
-#include <cstdio>
 double square(double x) {
   for (int i = 3; i < 20; ++i) ::dprintf(i, "%.17g\n%.17g\n", x * x, x * x);
   return x * x;
 }
 
 // == answers_with_a_carriage_return 0 10 6: writes "2.2\r5" to the channel for answers
-#include <unistd.h>
-#include <cstdio>
 double square(double) {
   for (int i = 3; i < 20; ++i) ::dprintf(i, "2.2\r5\n");
   ::pause();
@@ -49,7 +51,6 @@ double square(double) {
 }
 
 // == becomes_root 0 10 6: tries to become root
-#include <unistd.h>
 double square(double x) {
   return ::setuid(0) == 0 && ::chroot("/") == 0 ? x * x : 1;
 }
@@ -68,14 +69,12 @@ double square(double) {
 }
 
 // == crashes_at_one_place 6 10 10: crashes for 2, which only the public check uses
-#include <cstdlib>
 double square(double x) {
   if (x == 2) std::abort();
   return x * x;
 }
 
 // == crashes_at_start 0 10 0: a static object crashes
-#include <cstdlib>
 static const int value = (std::abort(), 0);
 double square(double x) {
   return x * x + value;
@@ -109,7 +108,6 @@ double square(double x) {
 }
 
 // == exits_early 0 10 6: ends with success
-#include <cstdlib>
 double square(double) {
   std::exit(0);
 }
@@ -139,7 +137,6 @@ double square(double x) {
 }
 
 // == forks 0 10 6: starts processes endlessly
-#include <unistd.h>
 double square(double) {
   while (true) ::fork();
 }
@@ -170,8 +167,6 @@ double square(double x) {
 }
 
 // == kills_everything 0 10 6: kills every process that it can
-#include <unistd.h>
-#include <csignal>
 double square(double) {
   ::kill(-1, SIGKILL);
   ::kill(::getppid(), SIGKILL);
@@ -180,7 +175,6 @@ double square(double) {
 
 // == leaves_a_daemon 0 10 6: leaves a process behind
 #include <sys/prctl.h>
-#include <unistd.h>
 double square(double) {
   if (::fork() == 0) {
     ::setsid();
@@ -193,7 +187,6 @@ double square(double) {
 }
 
 // == nan_at_one_place 4.5 10 10: NaN for −2, one of the four numbers of the hidden check
-#include <cmath>
 double square(double x) {
   return x == -2 ? std::nan("") : x * x;
 }
@@ -205,7 +198,6 @@ double square(double) {
 }
 
 // == prints 10 10 10: debug output, even before main()
-#include <cstdio>
 #include <iostream>
 static const int at_start = std::printf("starting\n");
 double square(double x) {
@@ -222,7 +214,6 @@ double square(double x) {
 }
 
 // == prints_passed 0 10 6: prints a verdict
-#include <cstdio>
 double square(double) {
   std::printf("square-right\t1\t\nPASSED\n");
   std::fflush(stdout);
@@ -240,14 +231,12 @@ double square(double x) {
 }
 
 // == sleeps 0 10 6: sleeps for an hour
-#include <unistd.h>
 double square(double) {
   ::sleep(3600);
   return 1;
 }
 
 // == takes_memory 0 10 6: allocates all memory
-#include <cstring>
 double square(double) {
   for (volatile bool on = true; on;) std::memset(new char[1 << 24], 1, 1 << 24);
   return 1;
@@ -263,8 +252,6 @@ double square(double) {
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <unistd.h>
-#include <cstdlib>
 double square(double x) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -289,8 +276,6 @@ double square(double x) {
 }
 
 // == writes_a_verdict_into_the_channel 0 10 6: writes the judge's output to the channel for answers
-#include <unistd.h>
-#include <cstdio>
 double square(double) {
   for (int i = 3; i < 20; ++i) ::dprintf(i, "square-right\t1\t\n");
   return 1;

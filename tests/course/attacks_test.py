@@ -18,8 +18,9 @@ JUDGE, MODE = ARGUMENTS
 ORDINARY = 61000
 SLOW = {"answers_late", "hangs_at_start", "hangs_at_one_place", "never_ends", "sleeps", "forks", "compiles_without_end", "takes_memory", "fills_the_disk"}
 SECTION = re.compile(r"// == (\w+) ([\d.]+) ([\d.]+) ([\d.]+): .*\n((?:(?!// == ).*\n)*)")
-SECTIONS = SECTION.findall(Path(__file__).with_name("attacks.cpp").read_text(encoding="utf-8"))
-FIXTURES = {name: text for name, *_, text in SECTIONS}
+TEXT = Path(__file__).with_name("attacks.cpp").read_text(encoding="utf-8")
+SECTIONS = SECTION.findall(TEXT)
+FIXTURES = {name: TEXT[:TEXT.index("// == ")] + text for name, *_, text in SECTIONS}
 if MODE == "quick":
     FIXTURES = {name: text for name, text in FIXTURES.items() if name not in SLOW}
 if MODE == "container":
@@ -47,7 +48,7 @@ class Attacks(unittest.TestCase):
         for name, text in FIXTURES.items():
             for word, value in words.items():
                 text = text.replace(word, str(value))
-            toy_course.write({**SOLUTION, "src/square.cpp": '#include "assignment.hpp"\n' + text}, cls.work.submissions / name)
+            toy_course.write({**SOLUTION, "src/square.cpp": text}, cls.work.submissions / name)
         for name in ("honest", "zz_honest"):
             toy_course.write(SOLUTION, cls.work.submissions / name)
         toy_course.write({"CMakeLists.txt": "message(FATAL_ERROR)", "Makefile": "all:\n\tfalse\n", "src/assignment.hpp": "#error\n",

@@ -116,7 +116,7 @@ class Prove(unittest.TestCase):
 if __name__ == "__main__":
     if SANDBOX and os.geteuid() != 0:
         skip(f"nothing was proved: {bubblewrap_problem()}")
-    for tool in ("cmake", "latexmk", "gnuplot", "pdftotext"):
+    for tool in ("cmake", "latexmk", "gnuplot"):
         if not shutil.which(tool):
             skip(f"{tool} is not installed")
     toy_course.main()

@@ -11,18 +11,19 @@
 
 namespace assignment::closed_form {
 
-inline Task task() {
-  return {"gradient", "E ν p₀ a x₁ x₂ …", "∂u_z/∂x at each x, eq. (3)", 5, [](const Numbers& in) {
-            return for_each_from(4, in, [&](double x, Numbers& out) {
-              out.push_back(exercise::normal_gradient({in[0], in[1]}, {in[2], in[3]}, x));
-            });
-          }};
+inline constexpr const char* task = "gradient";
+
+/// Returns ∂u_z/∂x at each x, eq. (3). The inputs are E ν p₀ a x₁ x₂ …
+inline Numbers answer(const Numbers& in) {
+  return for_each_from(4, in, [&](double x, Numbers& out) {
+    out.push_back(exercise::normal_gradient({in[0], in[1]}, {in[2], in[3]}, x));
+  });
 }
 
 /// Asks for ∂u_z/∂x at each x under the triangle of eq. (3), whatever the surface's shape.
 inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
   const Numbers inputs = joined({s.young, s.poisson, s.peak_pressure, s.half_width}, x);
-  return judge::answer_of(program, "gradient", inputs, x.size());
+  return judge::answer_of(program, task, inputs, x.size());
 }
 
 inline Outcome gradient_is_odd(const Program& program, const std::string& id) {

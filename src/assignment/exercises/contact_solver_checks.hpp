@@ -15,14 +15,15 @@
 
 namespace assignment::contact_solver {
 
-inline Task task() {
-  return {"contact", "E₁ ν₁ R₁ E₂ ν₂ R₂ P c n datum", "δ, a, then the n pressures", 10,
-          [](const Numbers& in) {
-            const exercise::Cylinders cylinders{{in[0], in[1]}, in[2], {in[3], in[4]}, in[5]};
-            const exercise::Grid grid{static_cast<int>(std::lround(in[8])), in[7]};
-            const auto found = exercise::solve_contact(cylinders, grid, in[9], in[6]);
-            return joined({found.approach, found.half_width}, found.pressure);
-          }};
+inline constexpr const char* task = "contact";
+
+/// Returns δ, a and the n pressures. The inputs are E₁ ν₁ R₁ E₂ ν₂ R₂ P c n datum.
+inline Numbers answer(const Numbers& in) {
+  const exercise::Cylinders cylinders{
+      {in.at(0), in.at(1)}, in.at(2), {in.at(3), in.at(4)}, in.at(5)};
+  const exercise::Grid grid{static_cast<int>(std::lround(in.at(8))), in.at(7)};
+  const auto found = exercise::solve_contact(cylinders, grid, in.at(9), in.at(6));
+  return joined({found.approach, found.half_width}, found.pressure);
 }
 
 /// The program's answer: the approach δ, the half-width a, and the pressure at each node.
@@ -43,7 +44,7 @@ inline Numbers inputs_of(const Cylinders& c) {
 inline Answer ask(const Program& program, const Cylinders& c) {
   const std::size_t n_before_pressures = 2;
   const Numbers numbers = judge::answer_of(
-      program, "contact", inputs_of(c), n_before_pressures + static_cast<std::size_t>(c.n_nodes));
+      program, task, inputs_of(c), n_before_pressures + static_cast<std::size_t>(c.n_nodes));
   return {
       numbers[0], numbers[1],
       Numbers(numbers.begin() + static_cast<std::ptrdiff_t>(n_before_pressures), numbers.end())};

@@ -11,20 +11,22 @@
 
 namespace assignment::displacement {
 
-inline Task task() {
-  return {"displacement", "E ν S p₀ a datum x₁ x₂ …", "u_z at each x", 7, [](const Numbers& in) {
-            const exercise::Load load = load_of(in[2], in[3], in[4]);
-            return for_each_from(6, in, [&](double x, Numbers& out) {
-              out.push_back(exercise::normal_displacement({in[0], in[1]}, load, in[5], x));
-            });
-          }};
+inline constexpr const char* task = "displacement";
+
+/// Returns u_z at each x. The inputs are E ν S p₀ a datum x₁ x₂ …, where S is the number of a
+/// pressure.
+inline Numbers answer(const Numbers& in) {
+  const exercise::Load load = load_of(in.at(2), in.at(3), in.at(4));
+  return for_each_from(6, in, [&](double x, Numbers& out) {
+    out.push_back(exercise::normal_displacement({in[0], in[1]}, load, in[5], x));
+  });
 }
 
 /// Asks for u_z at each x.
 inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
   const Numbers inputs =
       joined({s.young, s.poisson, s.shape, s.peak_pressure, s.half_width, s.datum}, x);
-  return judge::answer_of(program, "displacement", inputs, x.size());
+  return judge::answer_of(program, task, inputs, x.size());
 }
 
 inline Outcome displacement_keeps_datum(const Program& program, const std::string& id) {

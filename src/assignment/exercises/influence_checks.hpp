@@ -12,21 +12,21 @@
 
 namespace assignment::influence {
 
-inline Task task() {
-  return {"influence", "E* c datum k₁ k₂ …", "A_k for each whole number k", 4,
-          [](const Numbers& in) {
-            return for_each_from(3, in, [&](double k, Numbers& out) {
-              const int distance = static_cast<int>(std::lround(k));
-              out.push_back(exercise::influence_coefficient(in[0], in[1], in[2], distance));
-            });
-          }};
+inline constexpr const char* task = "influence";
+
+/// Returns A_k for each whole number k. The inputs are E* c datum k₁ k₂ …
+inline Numbers answer(const Numbers& in) {
+  return for_each_from(3, in, [&](double k, Numbers& out) {
+    const int distance = static_cast<int>(std::lround(k));
+    out.push_back(exercise::influence_coefficient(in[0], in[1], in[2], distance));
+  });
 }
 
 /// Asks for u_z1 + u_z2 at k spacings from a triangle of pressure 1, for each whole number k.
 inline Numbers ask(const Program& program, double contact_modulus, double spacing, double datum,
                    const Numbers& k) {
   const Numbers inputs = joined({contact_modulus, spacing, datum}, k);
-  return judge::answer_of(program, "influence", inputs, k.size());
+  return judge::answer_of(program, task, inputs, k.size());
 }
 
 inline Outcome influence_has_the_shape(const Program& program, const std::string& id) {

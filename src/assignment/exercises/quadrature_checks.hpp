@@ -21,16 +21,17 @@ inline constexpr double most_reported = 1e-6;
 /// The abscissas x/a of the public checks.
 inline constexpr double points[] = {0.15, -0.5, 0.95, 1.05, 3};
 
-inline Task task() {
-  return {"gradient_by_quadrature", "E ν S p₀ a x₁ x₂ …", "value and abs_error at each x, eq. (2)",
-          6, [](const Numbers& in) {
-            const exercise::Load load = load_of(in[2], in[3], in[4]);
-            return for_each_from(5, in, [&](double x, Numbers& out) {
-              const auto found = exercise::normal_gradient_by_quadrature({in[0], in[1]}, load, x);
-              out.push_back(found.value);
-              out.push_back(found.abs_error);
-            });
-          }};
+inline constexpr const char* task = "gradient_by_quadrature";
+
+/// Returns value and abs_error at each x, eq. (2). The inputs are E ν S p₀ a x₁ x₂ …, where S is
+/// the number of a pressure.
+inline Numbers answer(const Numbers& in) {
+  const exercise::Load load = load_of(in.at(2), in.at(3), in.at(4));
+  return for_each_from(5, in, [&](double x, Numbers& out) {
+    const auto found = exercise::normal_gradient_by_quadrature({in[0], in[1]}, load, x);
+    out.push_back(found.value);
+    out.push_back(found.abs_error);
+  });
 }
 
 /// The program's answer: ∂u_z/∂x by eq. (2) at each x, and its error bound.
@@ -41,7 +42,7 @@ struct Answer {
 
 inline Answer ask(const Program& program, const Surface& s, const Numbers& x) {
   const Numbers inputs = joined({s.young, s.poisson, s.shape, s.peak_pressure, s.half_width}, x);
-  const Numbers pairs = judge::answer_of(program, "gradient_by_quadrature", inputs, 2 * x.size());
+  const Numbers pairs = judge::answer_of(program, task, inputs, 2 * x.size());
   Answer found;
   for (std::size_t i = 0; i < pairs.size(); i += 2) {
     found.value.push_back(pairs[i]);

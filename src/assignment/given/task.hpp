@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "assignment/given/bodies.hpp"
@@ -23,17 +22,8 @@ using judge::Program;
 using judge::Tally;
 using judge::times;
 
-/// A task of the student's program. Inputs and answer are numbers in SI units.
-struct Task {
-  std::string name;
-  std::string takes;     ///< the inputs in order, such as "E ν p₀ a x₁ x₂ …"
-  std::string gives;     ///< the answer, such as "∂u_z/∂x at each x"
-  std::size_t n_inputs;  ///< the minimum number of inputs
-  Numbers (*run)(const Numbers& inputs);  ///< calls the student's function
-};
-
-/// Computes the answer for the inputs from index `first` on: `compute` gets each input and the
-/// answer, to which it appends.
+/// Computes the answer of a task for the inputs from index `first` on: `compute` gets each input and
+/// the answer, to which it appends.
 template <class Compute>
 Numbers for_each_from(std::size_t first, const Numbers& in, const Compute& compute) {
   Numbers out;
