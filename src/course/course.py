@@ -24,7 +24,7 @@ from errors import BadInput, Disproved, ToolFailure, progress
 from grading import Grader, Judge, feedback_text, results_json, teacher_text
 from proof import Proof, secrets_of
 from sandbox import SANDBOXES
-from submission import Unusable, submissions_in
+from submission import submissions_in
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = """examples:
@@ -132,7 +132,7 @@ def read_submissions(source, assignment):
     for submission in submissions_in(source):
         try:
             submitted[submission.id] = submission.read_files(assignment)
-        except Unusable as error:
+        except BadInput as error:
             problems[submission.id] = str(error)
     return submitted, problems
 

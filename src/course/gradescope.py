@@ -17,7 +17,7 @@ from build import Kit, write
 from errors import BadInput, ToolFailure
 from grading import Grader, Judge, results_json, teacher_text
 from sandbox import User
-from submission import Submission, Unusable, folder_members
+from submission import Submission, folder_members
 
 MODULES = ["assignment", "build", "errors", "grading", "gradescope", "sandbox", "submission"]
 HERE = Path(__file__).resolve().parent
@@ -52,10 +52,6 @@ def pack(assignment, handout, judge, output):
         shutil.make_archive(output.with_suffix(""), "zip", folder)
 
 
-def read_assignment(source):
-    return from_table(json.loads((source / "assignment.json").read_text(encoding="utf-8")), "assignment.json")
-
-
 def setup(source):
     """Compiles the kit, which submissions may read. They may read nothing else."""
     handout = source / "handout"
@@ -70,7 +66,7 @@ def grade(source):
     results = AUTOGRADER / "results"
     os.chmod(source, 0o700)
     os.chmod(results, 0o700)
-    assignment = read_assignment(source)
+    assignment = from_table(json.loads((source / "assignment.json").read_text(encoding="utf-8")), "assignment.json")
     metadata = json.loads((AUTOGRADER / "submission_metadata.json").read_text(encoding="utf-8"))
     student = next((user["email"] for user in metadata.get("users", []) if user.get("email")), "")
     kit = Kit(AUTOGRADER / "kit")
@@ -78,7 +74,7 @@ def grade(source):
     sandbox.require()
     try:
         submitted = Submission(student, folder_members(AUTOGRADER / "submission")).read_files(assignment)
-    except Unusable as error:
+    except BadInput as error:
         found = {"score": 0, "output": f"Nothing can be graded: {error}"}
     else:
         with tempfile.TemporaryDirectory() as store:

@@ -54,7 +54,7 @@ class Submissions(unittest.TestCase):
         for one in submission.submissions_in(source or self.folder):
             try:
                 result[one.id] = one.read_files(TOY_ASSIGNMENT)
-            except submission.Unusable as error:
+            except BadInput as error:
                 result[one.id] = str(error)
         return result
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-#include "assignment/given/task.hpp"
+#include "assignment/given/bodies.hpp"
 
 namespace assignment::closed_form {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "assignment/exercises/influence_checks.hpp"
-#include "assignment/given/task.hpp"
+#include "assignment/given/bodies.hpp"
 
 namespace assignment::contact_solver {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "assignment/exercises/closed_form_checks.hpp"
-#include "assignment/given/task.hpp"
+#include "assignment/given/bodies.hpp"
 
 namespace assignment::displacement {
 

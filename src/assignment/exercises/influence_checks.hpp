@@ -8,7 +8,7 @@
 #include <string>
 
 #include "assignment/exercises/displacement_checks.hpp"
-#include "assignment/given/task.hpp"
+#include "assignment/given/bodies.hpp"
 
 namespace assignment::influence {
 

@@ -4,11 +4,10 @@
 #pragma once
 
 #include <cstddef>
-#include <iterator>
 #include <string>
 
 #include "assignment/exercises/closed_form_checks.hpp"
-#include "assignment/given/task.hpp"
+#include "assignment/given/bodies.hpp"
 
 namespace assignment::quadrature {
 
@@ -19,7 +18,7 @@ inline constexpr double agreement = 1e-7;
 inline constexpr double most_reported = 1e-6;
 
 /// The abscissas x/a of the public checks.
-inline constexpr double points[] = {0.15, -0.5, 0.95, 1.05, 3};
+inline const Numbers points = {0.15, -0.5, 0.95, 1.05, 3};
 
 inline constexpr const char* task = "gradient_by_quadrature";
 
@@ -53,7 +52,7 @@ inline Answer ask(const Program& program, const Surface& s, const Numbers& x) {
 
 inline Outcome quadrature_agrees(const Program& program, const std::string& id) {
   const Surface surface = surface_of(id);
-  const Numbers x = times(surface.half_width, Numbers(std::begin(points), std::end(points)));
+  const Numbers x = times(surface.half_width, points);
   const Numbers g = closed_form::ask(program, surface, x);
   const Numbers q = ask(program, surface, x).value;
 
@@ -66,7 +65,7 @@ inline Outcome quadrature_agrees(const Program& program, const std::string& id) 
 
 inline Outcome quadrature_error_covers(const Program& program, const std::string& id) {
   const Surface surface = surface_of(id);
-  const Numbers x = times(surface.half_width, Numbers(std::begin(points), std::end(points)));
+  const Numbers x = times(surface.half_width, points);
   const Numbers g = closed_form::ask(program, surface, x);
   const Answer q = ask(program, surface, x);
 

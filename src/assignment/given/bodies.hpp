@@ -1,16 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface of exercises 1 to 4, the pressures on it, and the cylinders of exercises 4 and 5.
-// This header is part of the handout, so it uses the standard library only.
+// What tasks and checks share: the surface of exercises 1 to 4, the pressures on it, and the
+// cylinders of exercises 4 and 5. This header is part of the handout, so it uses the standard
+// library only.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
 #include "assignment/given/numbers.hpp"
 #include "assignment/given/student_functions.hpp"
+#include "judge/check.hpp"
 
 namespace assignment {
+
+using judge::at;
+using judge::Checks;
+using judge::greatest;
+using judge::joined;
+using judge::near;
+using judge::Numbers;
+using judge::Outcome;
+using judge::Program;
+using judge::Tally;
+using judge::times;
 
 /// Numbers of the pressures that tasks select, over ξ = s/a, which are zero for |ξ| > 1. A number k
 /// from fewest_waves to most_waves selects p₀(1 − ξ²)(1 + ½ sin kξ), for which there is no
@@ -87,5 +101,18 @@ inline Cylinders cylinders_of(const std::string& id) {
           own.line_load, own.spacing,  static_cast<int>(std::lround(own.nodes)),
           own.datum};
 }
+
+/// Computes the answer of a task for the inputs from index `first` on: `compute` gets each input
+/// and the answer, to which it appends.
+template <class Compute>
+Numbers for_each_from(std::size_t first, const Numbers& in, const Compute& compute) {
+  Numbers out;
+  for (std::size_t i = first; i < in.size(); ++i) compute(in[i], out);
+  return out;
+}
+
+/// A relative tolerance for rounding errors and for the digits that a sum of logarithms loses near
+/// the load.
+inline constexpr double roundings = 1e-9;
 
 }  // namespace assignment

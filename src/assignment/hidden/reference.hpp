@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "assignment/given/task.hpp"
+#include "assignment/given/bodies.hpp"
 
 namespace assignment {
 
