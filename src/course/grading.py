@@ -76,17 +76,16 @@ class Grader:
     def grade(self, files, student=""):
         """Grades a submission's files, {name: bytes}, with the numbers that follow from the student's id."""
         end = time.monotonic() + self.assignment.limits.submission_seconds
-        built = self.builder.build(files)
-        graded = Graded([], {})
+        programs, errors = self.builder.build(files)
+        graded = Graded([], errors)
         for exercise in self.assignment.exercise:
-            if exercise.id in built.errors:
-                graded.errors[exercise.file] = built.errors[exercise.id]
+            if exercise.file in errors:
                 outcomes = {check.id: (0, f"{exercise.file} is missing, or does not compile or link") for check in exercise.check}
             else:
                 outcomes = {}
                 for visibility in ("public", "hidden"):
                     seconds = max(end - time.monotonic(), GRACE)
-                    outcomes |= self.outcomes_of(exercise, visibility, student, seconds, built.programs[exercise.id])
+                    outcomes |= self.outcomes_of(exercise, visibility, student, seconds, programs[exercise.id])
             graded.results += capped(exercise, outcomes)
         return graded
 
