@@ -12,11 +12,9 @@ import os
 import shutil
 import subprocess
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from pathlib import Path
 
-from errors import ToolFailure
+from errors import Disproved, progress, run_tool
 
 # Under a memory limit g++ collects garbage so often that Eigen takes 50 % longer to compile, unless its heap may grow to 200 MB.
 FLAGS = ["-std=c++20", "-O2", "-pipe", "--param=ggc-min-heapsize=200000", "-I/usr/include/eigen3", "-fmax-errors=10",
@@ -43,131 +41,98 @@ def write(files, folder):
 
 
 class Kit:
-    """The code of the handout, compiled once: the stub of each exercise, and the provided files."""
+    """The handout, built once by its own CMakeLists.txt. Its objects are the stubs of the exercises and the provided code."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        key = self.folder / "key"
-        self.key = key.read_text() if key.exists() else ""
-        self.given = sorted(path.name for path in self.folder.glob("given-*.o"))
+        self.key, self.log = ((self.folder / name).read_text(encoding="utf-8") for name in ("key", "log"))
+        objects = self.folder.glob("build/CMakeFiles/*.dir/provided/**/*.o")
+        self.given = sorted(path.relative_to(self.folder).as_posix() for path in objects if "checks.dir" not in path.parts)
 
     @classmethod
-    def compiled(cls, folder, assignment, handout, jobs, progress=lambda what, done, total: None):
-        """Returns the kit in this folder. Compiles it first unless it was made from the same handout, {name: text}."""
-        code = {name: text for name, text in sorted(handout.items()) if name.endswith((".cpp", ".hpp"))}
+    def built(cls, folder, handout, jobs):
+        """Returns the kit in this folder. Builds it first unless it was built from the same handout, {name: text}."""
+        code = {name: text for name, text in sorted(handout.items()) if name.endswith((".cpp", ".hpp", ".txt"))}
         compiler = subprocess.run(["g++", "--version"], capture_output=True, check=False).stdout
         key = hash_of(compiler, FLAGS, code)
-        if cls(folder).key == key:
-            return cls(folder)
-        new = Path(f"{folder}.new")
-        shutil.rmtree(new, ignore_errors=True)
-        write(code, new)
-        objects = {exercise.file: f"stub-{exercise.id}.o" for exercise in assignment.exercise}
-        given = [name for name in code if name.startswith("provided/") and name.endswith(".cpp") and name != "provided/checks.cpp"]
-        objects |= {name: f"given-{number}.o" for number, name in enumerate(given)}
-
-        def compile_one(name):
-            words = ["g++", *FLAGS, "-Isrc", "-Iprovided", "-c", name, "-o", objects[name]]
-            done = subprocess.run(words, cwd=new, capture_output=True, text=True, check=False)
-            if done.returncode != 0:
-                raise ToolFailure(f"{name} of the handout does not compile: {done.stderr.strip()}")
-
-        progress("compiling the kit", 0, len(objects))
-        with ThreadPoolExecutor(jobs) as pool:
-            for number, _ in enumerate(pool.map(compile_one, objects), 1):
-                progress("compiling the kit", number, len(objects))
-        (new / "key").write_text(key)
-        shutil.rmtree(folder, ignore_errors=True)
-        new.rename(folder)
+        if not Path(folder, "key").exists() or Path(folder, "key").read_text(encoding="utf-8") != key:
+            shutil.rmtree(folder, ignore_errors=True)
+            write(code, folder)
+            progress("building the handout", 0, 1)
+            log = run_tool(["cmake", "-B", "build"], folder, Disproved)
+            log += run_tool(["cmake", "--build", "build", "--parallel", str(jobs)], folder, Disproved)
+            write({"log": log, "key": key}, folder)
         return cls(folder)
 
 
-@dataclass
-class Built:
-    programs: dict = field(default_factory=dict)  # {exercise id: the folder that contains `program`}
-    errors: dict = field(default_factory=dict)  # {exercise id: why its file was left out}
-    seconds: float = 0  # time spent on compiling and linking
+class Failed(Exception):
+    """A file was not submitted, or does not compile or link. The message is for the student."""
 
 
 class Builder:
     def __init__(self, assignment, kit, sandbox, store):
         self.assignment, self.kit, self.sandbox, self.store = assignment, kit, sandbox, Path(store)
-        self.used = set()  # names of the results in the store that were used
 
     def build(self, files):
-        """Builds the programs of all exercises from a submission's files, {name: bytes}."""
-        built, objects, undefined, defined = Built(), {}, {}, {}
+        """Builds a submission's files, {name: bytes}. Returns the folders that contain `program`, {exercise id: folder}, and why
+        files were left out, {file: reason}."""
+        objects, programs, errors = {}, {}, {}
         for exercise in self.assignment.exercise:
-            if exercise.file not in files:
-                built.errors[exercise.id] = f"{exercise.file} was not submitted"
-                continue
-            folder = self.compile(exercise, files[exercise.file], built)
-            if exercise.id not in built.errors:
-                objects[exercise.id] = folder / "object.o"
-                symbols = [line.split()[:2] for line in (folder / "symbols").read_text().splitlines()]
-                undefined[exercise.id] = {name for name, kind in symbols if kind == "U"}
-                defined[exercise.id] = {name for name, kind in symbols if kind != "U"}
-        linked = []
-        for exercise in self.assignment.exercise:
-            if exercise.id not in objects:
-                continue
-            needed = self.assignment.exercises_behind(exercise)
-            own = [exercise.id]
-            for earlier in reversed(linked):
-                if earlier in needed or any(undefined[id] & defined[earlier] for id in own):
-                    own.append(earlier)
-            folder = self.link({id: objects[id] for id in own}, exercise, built)
-            if exercise.id not in built.errors:
-                built.programs[exercise.id] = folder
-                linked.append(exercise.id)
-        return built
+            try:
+                objects[exercise.id] = self.compile(exercise, files)
+                programs[exercise.id] = self.link(exercise, programs, objects)
+            except Failed as error:
+                errors[exercise.file] = str(error)
+        return programs, errors
 
-    def compile(self, exercise, text, built):
-        """Compiles one file. Returns the folder with object.o and `symbols`, the list of names that it defines or needs."""
-        left = self.assignment.limits.submission_seconds / 2 - built.seconds
-        most = self.assignment.limits.compile_seconds
-        seconds = int(max(0.4 * most, min(most, left)))
+    def compile(self, exercise, files):
+        """Compiles the file of an exercise. Returns the object, the names that it needs, and the names that it defines."""
+        if exercise.file not in files:
+            raise Failed(f"{exercise.file} was not submitted")
         includes = [f"-I{self.sandbox.kit}/{name}" for name in ("src", "provided")]
         words = ["g++", *FLAGS, *includes, "-c", exercise.file, "-o", "object.o"]
         script = '"$@" && nm --extern-only --format=posix object.o > symbols'
-        return self.run_job({exercise.file: text}, ["sh", "-c", script, "sh", *words], seconds, exercise, built)
+        folder = self.run_job({exercise.file: files[exercise.file]}, ["sh", "-c", script, "sh", *words],
+                              self.assignment.limits.compile_seconds)
+        symbols = [line.split()[:2] for line in (folder / "symbols").read_text().splitlines()]
+        needed = {name for name, kind in symbols if kind == "U"}
+        return folder / "object.o", needed, {name for name, _ in symbols} - needed
 
-    def link(self, own, exercise, built):
-        """Links the program of an exercise from these objects, {exercise id: file}, and stubs for all other exercises."""
-        inputs, objects = {}, []
-        for other in self.assignment.exercise:
-            if other.id in own:
-                inputs[f"{other.id}.o"] = own[other.id].read_bytes()
-            objects.append(f"{other.id}.o" if other.id in own else f"{self.sandbox.kit}/stub-{other.id}.o")
-        given = [f"{self.sandbox.kit}/{name}" for name in self.kit.given]
-        folder = self.run_job(inputs, ["g++", *objects, *given, *LIBRARIES, "-o", "program"], LINK_SECONDS, exercise, built)
-        if exercise.id in built.errors:
-            built.errors[exercise.id] = f"{exercise.file} does not link:\n{built.errors[exercise.id]}"
-        return folder
+    def link(self, exercise, earlier, objects):
+        """Links the program of an exercise: its object, those of the earlier exercises that it builds on or calls, and stubs."""
+        behind = self.assignment.exercises_behind(exercise)
+        own = [exercise.id]
+        for id in reversed(earlier):
+            if id in behind or any(objects[other][1] & objects[id][2] for other in own):
+                own.append(id)
+        words = [f"{other.id}.o" if other.id in own else f"{self.sandbox.kit}/build/CMakeFiles/exercise.dir/{other.file}.o"
+                 for other in self.assignment.exercise]
+        words += [f"{self.sandbox.kit}/{name}" for name in self.kit.given]
+        try:
+            return self.run_job({f"{id}.o": objects[id][0].read_bytes() for id in own}, ["g++", *words, *LIBRARIES, "-o", "program"],
+                                LINK_SECONDS)
+        except Failed as error:
+            raise Failed(f"{exercise.file} does not link:\n{error}") from None
 
-    def run_job(self, inputs, words, seconds, exercise, built):
-        """Returns the folder with a job's result. Runs the job unless the store has it. Records a failure in built.errors."""
+    def run_job(self, inputs, words, seconds):
+        """Returns the folder with a job's result. Runs the job unless the store has it. Raises Failed if the job fails."""
         key = hash_of(self.kit.key, [word.replace(self.sandbox.kit, "KIT") for word in words], inputs)
         folder = self.store / key
-        self.used.add(key)
         if not folder.exists():
             # The job may write to its own folder, but not to the store, which holds the results of other jobs.
             new = Path(tempfile.mkdtemp(prefix=".", dir=self.store))
             write(inputs, new)
             os.chmod(new, 0o777)
-            ended = self.sandbox.run(words, new, seconds, self.sandbox.clock)
+            status, text = self.sandbox.run(words, new, seconds, self.sandbox.clock)
             os.chmod(new, 0o755)
-            built.seconds += ended.seconds
-            if ended.is_hung:
-                raise ToolFailure(f"the compiler did not end within {self.sandbox.clock} s; is the machine too busy?")
-            if ended.status != 0:
-                write({"error": self.message(ended.text, seconds)}, new)
+            if status != 0:
+                write({"error": self.message(text, seconds)}, new)
             try:
                 new.rename(folder)
             except OSError:  # a different thread has stored the same result meanwhile
                 shutil.rmtree(new)
         if (folder / "error").exists():
-            built.errors[exercise.id] = (folder / "error").read_text(encoding="utf-8")
+            raise Failed((folder / "error").read_text(encoding="utf-8"))
         return folder
 
     def message(self, text, seconds):

@@ -12,46 +12,44 @@ from pathlib import Path
 from errors import BadInput
 
 BYTE_ORDER_MARK = "\ufeff"
-CHOOSE = "choose one with --column NAME"
 
 
 class ClassFile:
-    def __init__(self, path, assignment, column=None):
+    def __init__(self, path, assignment):
         self.path, self.assignment = Path(path), assignment
         try:
             self.text = self.path.read_bytes().decode()
             self.rows = list(csv.reader(io.StringIO(self.text.removeprefix(BYTE_ORDER_MARK), newline="")))
-        except (OSError, UnicodeError, csv.Error) as error:
-            raise BadInput(f"{path}: {getattr(error, 'strerror', None) or error}") from None
+        except (UnicodeError, csv.Error) as error:
+            raise self.error(error) from None
         head = self.rows[0] if self.rows else []
         rows = [row for row in self.rows[1:] if row]
         self.decimal = "."
         if head[:2] == ["Student", "ID"]:
-            self.read_canvas(head, rows, column)
+            self.read_canvas(head, rows)
         elif rows and all(re.fullmatch(r"\D+\d+", row[0]) for row in rows):
-            self.read_moodle(head, rows, column)
+            self.read_moodle(rows)
         else:
             raise self.error("this is neither a Moodle grading worksheet nor a Canvas gradebook")
 
     def error(self, text):
         return BadInput(f"{self.path}: {text}")
 
-    def read_canvas(self, head, rows, column):
+    def read_canvas(self, head, rows):
         begin = f"{self.assignment.title} ("
-        fitting = [i for i, name in enumerate(head) if name == column or (not column and name.startswith(begin))]
+        fitting = [i for i, name in enumerate(head) if name.startswith(begin)]
         if len(fitting) != 1:
-            raise self.error(f"{len(fitting) or 'no'} columns are named '{column or begin + '…)'}'; {CHOOSE}")
+            raise self.error(f"{len(fitting)} columns instead of one begin with '{begin}': the assignment in Canvas has the title of "
+                             "assignment.toml")
         self.column = fitting[0]
         self.students = {row[1]: row for row in rows if row[1].isdigit()}
         self.require_maximum(next((row[self.column] for row in rows if "Points Possible" in row[0]), ""))
 
-    def read_moodle(self, head, rows, column):
-        maxima = [i for i in range(2, len(head))
+    def read_moodle(self, rows):
+        maxima = [i for i in range(2, len(rows[0]))
                   if re.fullmatch(r"\d+[.,]\d\d", rows[0][i]) and len({row[i] for row in rows}) == 1]
-        if column:
-            maxima = [head.index(column) + 1] if column in head[:-1] else []
         if not maxima:
-            raise self.error(f"no column of marks precedes a column with the maximum mark; {CHOOSE}")
+            raise self.error("no column of marks precedes a column with the maximum mark")
         self.column = maxima[0] - 1
         maximum = rows[0][maxima[0]]
         self.decimal = "," if "," in maximum else "."
@@ -59,8 +57,7 @@ class ClassFile:
         self.require_maximum(maximum)
 
     def require_maximum(self, text):
-        number = re.fullmatch(r"\s*(\d+)(?:[.,](\d+))?\s*", text)
-        if number and float(f"{number[1]}.{number[2] or 0}") != self.assignment.points:
+        if re.fullmatch(r"\s*\d+([.,]\d+)?\s*", text) and float(text.replace(",", ".")) != self.assignment.points:
             raise self.error(f"the maximum mark is {text.strip()}, but the assignment has {self.assignment.points:g} points; "
                              "change one of them")
 

@@ -9,9 +9,6 @@ import secrets
 import shutil
 import signal
 import sys
-import tempfile
-import time
-import zipfile
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
@@ -23,11 +20,11 @@ import sheet
 import template
 from build import Kit, hash_of, write
 from class_file import ClassFile
-from errors import BadInput, ToolFailure
+from errors import BadInput, Disproved, ToolFailure, progress
 from grading import Grader, Judge, feedback_text, results_json, teacher_text
-from proof import Disproved, Proof, secrets_of, write_zip
+from proof import Proof, secrets_of
 from sandbox import SANDBOXES
-from submission import Unusable, submissions_in
+from submission import submissions_in
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = """examples:
@@ -36,19 +33,6 @@ EXAMPLES = """examples:
   course.py gradescope                                 build/gradescope.zip
 
 exit codes: 0 success, 1 a claim does not hold or a submission was not graded, 2 bad input, 3 a tool failed"""
-
-
-class Progress:
-    """Prints a count on standard error: at the beginning of a long step, then at most once a second."""
-
-    def __init__(self):
-        self.latest = time.monotonic()
-
-    def __call__(self, what, done, total):
-        now = time.monotonic()
-        if done == 0 or now - self.latest > 1:
-            self.latest = now
-            print(f"{what}: {done} of {total}", file=sys.stderr)
 
 
 class Course:
@@ -63,7 +47,7 @@ class Course:
         self.handout = {name: file.handout for name, file in self.project.items()}
         self.salt_file = options.salt_file.resolve()
         self.judge_file = options.judge.resolve()
-        self.progress = Progress()
+        self.work.mkdir(parents=True, exist_ok=True)
 
     def require_salt(self):
         if not self.salt_file.exists() or not self.salt_file.read_bytes():
@@ -77,25 +61,22 @@ class Course:
 
 def prove(options):
     course = Course(options)
-    output = options.output or course.build / "handout"
-    if output.exists() and not (output / "src").is_dir() and any(output.iterdir()):
+    output = course.build / "handout"
+    if output.exists() and not (output / "src").is_dir():
         raise BadInput(f"{output}: this folder does not contain a handout; nothing was written")
     if not course.salt_file.exists():
         course.salt_file.write_text(secrets.token_hex(16) + "\n", encoding="utf-8")
         course.salt_file.chmod(0o600)
         print(f"{course.salt_file}: a new salt for the hidden checks; keep this file, and keep it secret")
     judge = Judge(course.judge_file, course.salt_file)
-    course.work.mkdir(parents=True, exist_ok=True)
-    proof = Proof(course.assignment, course.folder, course.project, judge, SANDBOXES[options.sandbox], course.work, options.jobs,
-                  course.progress)
-    pdf = proof.sheet(lambda: sheet.typeset(course.assignment, judge, course.folder))
-    proof.prove(course.secrets(), sheet.text_of(pdf), options.update)
+    proof = Proof(course, judge, SANDBOXES[options.sandbox], options.jobs)
+    inputs = sheet.inputs(course.assignment, judge, course.folder)
+    pdf = proof.sheet(inputs, sheet.typeset)
+    proof.prove(course.secrets(), inputs, options.update)
 
-    files = {**course.handout, "sheet.pdf": pdf}
-    replace_folder(output, files)
-    packed = beside(output, ".zip")
-    write_zip({f"{output.name}/{name}": content for name, content in files.items()}, packed)
-    (course.work / "proved.json").write_text(json.dumps({"salt": hash_of(course.salt_file.read_bytes())}), encoding="utf-8")
+    replace_folder(output, {**course.handout, "sheet.pdf": pdf})
+    packed = shutil.make_archive(output, "zip", course.build, output.name)
+    (course.work / "proved").write_text(hash_of(course.salt_file.read_bytes()), encoding="utf-8")
     print(f"{os.path.relpath(output)}\n{os.path.relpath(packed)}")
     return 0
 
@@ -103,14 +84,11 @@ def prove(options):
 def grade(options):
     course = Course(options)
     course.require_salt()
-    output = options.output or course.build / "grades"
+    output = course.build / "grades"
     for entry in sorted(output.iterdir()) if output.exists() else []:
         if not (entry / "feedback.txt").exists():
             raise BadInput(f"{output}: this folder contains '{entry.name}', which is not a grade; nothing was written")
-    class_file = ClassFile(options.class_file, course.assignment, options.column) if options.class_file else None
-    filled = course.build / options.class_file.name if class_file else None
-    if class_file and filled == options.class_file.resolve():
-        raise BadInput(f"{filled}: the filled file would replace this one; move it to a different folder")
+    class_file = ClassFile(options.class_file, course.assignment) if options.class_file else None
 
     submitted, problems = read_submissions(options.submissions, course.assignment)
     for id in submitted if class_file else []:
@@ -119,10 +97,12 @@ def grade(options):
         print(f"{id}: not graded: {problem}", file=sys.stderr)
     if not submitted:
         raise BadInput(f"{options.submissions}: no submission can be graded; nothing was written")
-    proved = course.work / "proved.json"
-    if not proved.exists() or json.loads(proved.read_text())["salt"] != hash_of(course.salt_file.read_bytes()):
+    proved = course.work / "proved"
+    if not proved.exists() or proved.read_text() != hash_of(course.salt_file.read_bytes()):
         print("note: the handout was not proved here with this salt; grade the whole class with the same salt", file=sys.stderr)
 
+    output.mkdir(exist_ok=True)
+    output.chmod(0o700)  # hides it from submissions in the sandbox "user"
     for id, graded in grade_all(course, options, submitted):
         if isinstance(graded, Exception):
             problems[id] = f"the grader failed: {graded}"
@@ -134,12 +114,13 @@ def grade(options):
     for id, problem in problems.items():
         replace_folder(output / id, {"feedback.txt": f"This submission was not graded: {problem}\n"})
 
-    marks = write_table(course.assignment, output)
-    written = [output, beside(output, ".csv")]
+    table = course.build / "grades.csv"
+    marks = write_table(course.assignment, output, table)
+    written = [output, table]
     if class_file:
-        written.append(filled)
+        written.append(course.build / options.class_file.name)
         new_marks = {id: marks[id] for id in submitted if id not in problems}
-        filled.write_text(class_file.filled(new_marks), encoding="utf-8", newline="")
+        written[-1].write_text(class_file.filled(new_marks), encoding="utf-8", newline="")
     n_submissions = len(submitted.keys() | problems.keys())
     print(f"{n_submissions - len(problems)} of {n_submissions} submissions were graded", *map(os.path.relpath, written), sep="\n")
     return 1 if problems else 0
@@ -151,7 +132,7 @@ def read_submissions(source, assignment):
     for submission in submissions_in(source):
         try:
             submitted[submission.id] = submission.read_files(assignment)
-        except Unusable as error:
+        except BadInput as error:
             problems[submission.id] = str(error)
     return submitted, problems
 
@@ -159,27 +140,25 @@ def read_submissions(source, assignment):
 def grade_all(course, options, submitted):
     """Grades submissions in parallel. Yields each id with its Graded, or with the exception that the grader raised."""
     judge = Judge(course.judge_file, course.salt_file)
-    course.work.mkdir(parents=True, exist_ok=True)
-    kit = Kit.compiled(course.work / "kit", course.assignment, course.handout, options.jobs, course.progress)
+    kit = Kit.built(course.work / "kit", course.handout, options.jobs)
     sandbox_class = SANDBOXES[options.sandbox]
     sandbox_class(kit.folder, course.assignment.limits).require()
+    scratch = course.work / "scratch"
+    shutil.rmtree(scratch, ignore_errors=True)  # what an interrupted command has left
 
     def grade_one(id):
-        with tempfile.TemporaryDirectory(dir=options.scratch, ignore_cleanup_errors=True) as store:
-            os.chmod(store, 0o755)
-            sandbox = sandbox_class(kit.folder, course.assignment.limits)
-            return Grader(course.assignment, kit, sandbox, judge, store).grade(submitted[id], id)
+        (scratch / id).mkdir(parents=True)
+        sandbox = sandbox_class(kit.folder, course.assignment.limits)
+        graded = Grader(course.assignment, kit, sandbox, judge, scratch / id).grade(submitted[id], id)
+        shutil.rmtree(scratch / id, ignore_errors=True)
+        return graded
 
-    course.progress("graded", 0, len(submitted))
+    progress("graded", 0, len(submitted))
     with ThreadPoolExecutor(options.jobs) as pool:
         waiting = {pool.submit(grade_one, id): id for id in submitted}
         for number, future in enumerate(as_completed(waiting), 1):
-            course.progress("graded", number, len(submitted))
+            progress("graded", number, len(submitted))
             yield waiting[future], future.exception() or future.result()
-
-
-def beside(folder, ending):
-    return folder.with_name(folder.name + ending)
 
 
 def replace_folder(folder, files):
@@ -191,42 +170,30 @@ def replace_folder(folder, files):
     new.rename(folder)
 
 
-def write_table(assignment, output):
-    """Writes the points of each student with a folder to a table beside the folders. Returns them, {id: points or None}."""
+def write_table(assignment, output, table):
+    """Writes the points of each student with a folder in `output` to a table. Returns them, {id: points or None}."""
     marks = {}
-    new = beside(output, ".csv.new")
-    with open(new, "w", encoding="utf-8", newline="") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(["id", "points", *(check.id for check in assignment.checks)])
+    with open(table, "w", encoding="utf-8", newline="") as file:
+        rows = csv.writer(file, lineterminator="\n")
+        rows.writerow(["id", "points", *(check.id for check in assignment.checks)])
         for folder in sorted(path for path in output.iterdir() if not path.name.startswith(".")):
             results = folder / "results.json"
             found = json.loads(results.read_text(encoding="utf-8")) if results.exists() else {"score": None, "tests": []}
             scores = {test["name"].split(":")[0]: f"{test['score']:g}" for test in found["tests"]}
             marks[folder.name] = found["score"]
             points = "" if found["score"] is None else f"{found['score']:g}"
-            table.writerow([folder.name, points, *(scores.get(check.id, "") for check in assignment.checks)])
-    new.replace(beside(output, ".csv"))
+            rows.writerow([folder.name, points, *(scores.get(check.id, "") for check in assignment.checks)])
     return marks
 
 
 def pack_for_gradescope(options):
     course = Course(options)
     course.require_salt()
-    output = options.output or course.build / "gradescope.zip"
-    if output.exists() and not zipfile.is_zipfile(output):
-        raise BadInput(f"{output}: this is not a zip; nothing was written")
-    judge = Judge(course.judge_file.with_name(course.judge_file.name + "-static"), course.salt_file)
-    output.parent.mkdir(parents=True, exist_ok=True)
-    write_zip(gradescope.files(course.assignment, course.handout, judge), output)
+    output = course.build / "gradescope.zip"
+    gradescope.pack(course.assignment, course.handout, Judge(f"{course.judge_file}-static", course.salt_file), output)
     print(f"{os.path.relpath(output)}\n"
           "Upload it as the autograder, with the default base image. It contains the salt: give it to nobody else.")
     return 0
-
-
-def number_of_jobs(text):
-    if not text.isdecimal() or int(text) == 0:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number of jobs")
-    return int(text)
 
 
 def parser():
@@ -238,27 +205,22 @@ def parser():
                         help="the compiled judge")
     shared.add_argument("--salt-file", type=Path, default=ROOT / "salt.txt", metavar="FILE",
                         help="the salt, which determines the numbers of the hidden checks (salt.txt)")
-    shared.add_argument("--output", type=Path, metavar="PATH", help="where to write the result")
     jobs = argparse.ArgumentParser(add_help=False)
-    jobs.add_argument("--jobs", type=number_of_jobs, default=os.cpu_count(), metavar="N", help="number of parallel jobs (one per processor)")
+    jobs.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="number of parallel jobs (one per processor)")
     jobs.add_argument("--sandbox", choices=SANDBOXES, default="bubblewrap",
                       help="'user' is for root in a container that contains nothing else")
 
     commands = argparse.ArgumentParser(description=__doc__, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
     chosen = commands.add_subparsers(required=True, metavar="COMMAND")
-    command = chosen.add_parser("prove", parents=[shared, jobs], help="write the handout and prove that it is correct",
-                                epilog="example: course.py prove --update, then git diff")
+    command = chosen.add_parser("prove", parents=[shared, jobs], help="write the handout and prove that it is correct")
     command.add_argument("--update", action="store_true", help="write the points that the wrong solutions score into their list")
     command.set_defaults(run=prove)
-    command = chosen.add_parser("grade", parents=[shared, jobs], help="grade submissions",
-                                epilog="example: course.py grade submissions.zip --class worksheet.csv --jobs 4")
+    command = chosen.add_parser("grade", parents=[shared, jobs], help="grade submissions")
     command.add_argument("submissions", type=Path, help="a folder of folders or zips, or the zip that Moodle or Canvas gives")
     command.add_argument("--class", dest="class_file", type=Path, metavar="FILE",
                          help="the Moodle worksheet or Canvas gradebook to fill")
-    command.add_argument("--column", metavar="NAME", help="the column to fill, if there are several candidates")
     command.set_defaults(run=grade)
-    command = chosen.add_parser("gradescope", parents=[shared], help="pack a grader for Gradescope",
-                                epilog="example: course.py gradescope --output autograder.zip")
+    command = chosen.add_parser("gradescope", parents=[shared], help="pack a grader for Gradescope")
     command.set_defaults(run=pack_for_gradescope)
     return commands
 
@@ -266,17 +228,9 @@ def parser():
 def main():
     options = parser().parse_args()
     os.umask(0o022)  # a job runs as a different user
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # ends this process at once, and with it its jobs
     try:
-        with tempfile.TemporaryDirectory(prefix="course-", ignore_cleanup_errors=True) as options.scratch:
-            os.chmod(options.scratch, 0o755)
-            try:
-                return options.run(options)
-            except KeyboardInterrupt:
-                # The jobs end with this process. Do not wait for the threads, which wait for the jobs.
-                shutil.rmtree(options.scratch, ignore_errors=True)
-                print("interrupted; finished results are kept", file=sys.stderr)
-                os._exit(130)
+        return options.run(options)
     except (BadInput, ToolFailure, Disproved) as error:
         print(error, file=sys.stderr)
         return {BadInput: 2, ToolFailure: 3, Disproved: 1}[type(error)]

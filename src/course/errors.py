@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The two errors that end a command, each with one line for the user."""
+"""The errors that end a command, each with a message for the user, and the way to call a tool and to report progress."""
+import os
+import subprocess
+import sys
 
 
 class BadInput(Exception):
@@ -8,3 +11,24 @@ class BadInput(Exception):
 
 class ToolFailure(Exception):
     """A tool or the grader itself failed: exit code 3. This never costs a student points."""
+
+
+class Disproved(Exception):
+    """A claim about the handout does not hold: exit code 1."""
+
+
+def run_tool(words, folder, failure=ToolFailure, **environment):
+    """Runs a tool in a folder. Returns what it prints; raises `failure` with the end of it if the tool fails."""
+    try:
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace", check=False,
+                              env={**os.environ, "TMPDIR": str(folder), **environment})
+    except OSError as error:
+        raise ToolFailure(f"{words[0]}: {error.strerror}; run \"make setup course\"") from None
+    output = done.stdout + done.stderr
+    if done.returncode != 0:
+        raise failure(f"{' '.join(words)} fails:\n{output.strip()[-3000:]}")
+    return output
+
+
+def progress(what, done, total):
+    print(f"{what}: {done} of {total}", file=sys.stderr)

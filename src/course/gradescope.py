@@ -7,16 +7,17 @@ submission runs as a user who can neither read the judge and the salt nor write 
 import dataclasses
 import json
 import os
+import shutil
 import sys
 import tempfile
 from pathlib import Path
 
 from assignment import from_table
-from build import Kit
+from build import Kit, write
 from errors import BadInput, ToolFailure
 from grading import Grader, Judge, results_json, teacher_text
 from sandbox import User
-from submission import Submission, Unusable, folder_members
+from submission import Submission, folder_members
 
 MODULES = ["assignment", "build", "errors", "grading", "gradescope", "sandbox", "submission"]
 HERE = Path(__file__).resolve().parent
@@ -27,7 +28,8 @@ SETUP = """#!/bin/sh
 set -eu
 cd "$(dirname "$0")"
 apt-get update
-DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends g++ libeigen3-dev libgsl-dev python3
+DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends g++ cmake make pkg-config libeigen3-dev libgsl-dev \\
+  python3
 [ "$(uname -m)" = x86_64 ] || { echo 'setup.sh: the judge runs on x86-64 only' >&2; exit 3; }
 python3 course/gradescope.py setup
 """
@@ -37,24 +39,24 @@ exec python3 /autograder/source/course/gradescope.py grade
 """
 
 
-def files(assignment, handout, judge):
-    """Returns the files of the zip, {name: text or bytes}."""
-    return {"setup.sh": SETUP, "run_autograder": RUN,
-            **{f"course/{name}.py": (HERE / f"{name}.py").read_text(encoding="utf-8") for name in MODULES},
-            "assignment.json": json.dumps(dataclasses.asdict(assignment)),
-            "judge": judge.program.read_bytes(), "salt": judge.salt_file.read_bytes(),
-            **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp"))}}
-
-
-def read_assignment(source):
-    return from_table(json.loads((source / "assignment.json").read_text(encoding="utf-8")), "assignment.json")
+def pack(assignment, handout, judge, output):
+    """Writes the zip."""
+    with tempfile.TemporaryDirectory() as folder:
+        write({"setup.sh": SETUP, "run_autograder": RUN,
+               **{f"course/{name}.py": (HERE / f"{name}.py").read_bytes() for name in MODULES},
+               "assignment.json": json.dumps(dataclasses.asdict(assignment)),
+               "judge": judge.program.read_bytes(), "salt": judge.salt_file.read_bytes(),
+               **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp", ".txt"))}}, folder)
+        for name in ("setup.sh", "run_autograder", "judge"):
+            os.chmod(Path(folder, name), 0o755)
+        shutil.make_archive(output.with_suffix(""), "zip", folder)
 
 
 def setup(source):
     """Compiles the kit, which submissions may read. They may read nothing else."""
     handout = source / "handout"
-    texts = {path.relative_to(handout).as_posix(): path.read_text(encoding="utf-8") for path in handout.rglob("*.?pp")}
-    Kit.compiled(AUTOGRADER / "kit", read_assignment(source), texts, os.cpu_count())
+    texts = {path.relative_to(handout).as_posix(): path.read_text(encoding="utf-8") for path in handout.rglob("*.*")}
+    Kit.built(AUTOGRADER / "kit", texts, os.cpu_count())
     os.chmod(source / "judge", 0o700)
     os.chmod(source, 0o700)
 
@@ -64,7 +66,7 @@ def grade(source):
     results = AUTOGRADER / "results"
     os.chmod(source, 0o700)
     os.chmod(results, 0o700)
-    assignment = read_assignment(source)
+    assignment = from_table(json.loads((source / "assignment.json").read_text(encoding="utf-8")), "assignment.json")
     metadata = json.loads((AUTOGRADER / "submission_metadata.json").read_text(encoding="utf-8"))
     student = next((user["email"] for user in metadata.get("users", []) if user.get("email")), "")
     kit = Kit(AUTOGRADER / "kit")
@@ -72,7 +74,7 @@ def grade(source):
     sandbox.require()
     try:
         submitted = Submission(student, folder_members(AUTOGRADER / "submission")).read_files(assignment)
-    except Unusable as error:
+    except BadInput as error:
         found = {"score": 0, "output": f"Nothing can be graded: {error}"}
     else:
         with tempfile.TemporaryDirectory() as store:

@@ -6,11 +6,14 @@ its points that the hidden checks of its exercise earn.
 """
 import json
 import subprocess
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
 from build import Builder, hash_of, printable
 from errors import BadInput, ToolFailure
+
+GRACE = 3  # seconds for the questions of an exercise after the submission has used up its time
 
 
 @dataclass
@@ -31,37 +34,36 @@ class Graded:
 
 
 class Judge:
-    """The judge's program, and the salt that determines the numbers of the hidden checks."""
+    """The judge's program, and the salt that determines the numbers of the hidden checks; by default they are nominal."""
 
-    def __init__(self, program, salt_file=None):
-        self.program, self.salt_file = Path(program).resolve(), salt_file
+    def __init__(self, program, salt_file="/dev/null"):
+        self.program, self.salt_file = Path(program).resolve(), Path(salt_file)
         if not self.program.exists():
             raise ToolFailure(f"{program} does not exist; \"make course DO=…\" compiles it")
-        self.key = hash_of(self.program.read_bytes(), Path(salt_file).read_bytes() if salt_file else "")
+        self.key = hash_of(self.program.read_bytes(), self.salt_file.read_bytes())
 
-    def numbers(self, student=""):
-        return [line.split() for line in self.call("--numbers", "--student", student).splitlines()]
+    def numbers(self):
+        """Returns the nominal numbers, lists of name, value and unit."""
+        return [line.split() for line in self.call("--numbers", "").splitlines()]
 
     def call(self, *words):
         # The judge must end when this process ends; the student's program then ends too.
         command = ["setpriv", "--pdeathsig", "KILL", self.program, *words]
         done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
-        if done.returncode != 0:
+        if done.returncode not in (0, 1):
             raise ToolFailure(f"{self.program.name} failed ({done.returncode}): {done.stderr.strip()}")
         return done.stdout
 
-    def ask(self, exercise, visibility, student, allowance, command):
-        """Returns {check id: (share, message)}, the seconds that the answers took, and their number."""
-        salt = ["--salt-file", str(self.salt_file)] if self.salt_file else []
-        rows = self.call("--exercise", exercise.id, f"--{visibility}", "--student", student, *salt,
-                         "--allowance", f"{allowance:.3f}", "--", *command).splitlines()
-        _, seconds, answers = rows.pop().split("\t")
+    def ask(self, exercise, visibility, student, seconds, command):
+        """Returns {check id: (share, message)} of a program, whose answers may take so many seconds together."""
+        origin = ["--student", student] if visibility == "public" else ["--salt", self.salt_file]
+        rows = self.call("--exercise", exercise.id, *origin, "--seconds", f"{seconds:.3f}", "--", *command).splitlines()
         outcomes = {id: (float(share), message) for id, share, message in (row.split("\t") for row in rows)}
         listed = {check.id for check in exercise.check if check.visibility == visibility}
         for id in sorted(listed ^ outcomes.keys()):
             problem = "has no code" if id in listed else "is not listed in assignment.toml"
             raise BadInput(f"the {visibility} check '{id}' of exercise '{exercise.id}' {problem}")
-        return outcomes, float(seconds), int(answers)
+        return outcomes
 
 
 class Grader:
@@ -73,38 +75,35 @@ class Grader:
 
     def grade(self, files, student=""):
         """Grades a submission's files, {name: bytes}, with the numbers that follow from the student's id."""
-        built = self.builder.build(files)
-        allowance = self.assignment.limits.submission_seconds - built.seconds
-        graded = Graded([], {})
+        end = time.monotonic() + self.assignment.limits.submission_seconds
+        programs, errors = self.builder.build(files)
+        graded = Graded([], errors)
         for exercise in self.assignment.exercise:
-            if exercise.id in built.errors:
-                graded.errors[exercise.file] = built.errors[exercise.id]
+            if exercise.file in errors:
                 outcomes = {check.id: (0, f"{exercise.file} is missing, or does not compile or link") for check in exercise.check}
             else:
                 outcomes = {}
                 for visibility in ("public", "hidden"):
-                    asked, seconds, _ = self.outcomes_of(exercise, visibility, student, allowance, built.programs[exercise.id])
-                    outcomes |= asked
-                    allowance -= seconds
+                    seconds = max(end - time.monotonic(), GRACE)
+                    outcomes |= self.outcomes_of(exercise, visibility, student, seconds, programs[exercise.id])
             graded.results += capped(exercise, outcomes)
         return graded
 
-    def outcomes_of(self, exercise, visibility, student, allowance, folder):
+    def outcomes_of(self, exercise, visibility, student, seconds, folder):
         """Returns what Judge.ask returns for the program in a folder. Runs the judge unless the store has the outcome."""
         key = hash_of(self.judge.key, exercise, visibility, student if visibility == "public" else "", folder.name)
         file = self.builder.store / f"{key}.json"
-        self.builder.used.add(file.name)
         if file.exists():
             return json.loads(file.read_text(encoding="utf-8"))
         command = self.sandbox.command(["sh", "-c", "exec ./program 2> /dev/null"], folder, self.assignment.limits.run_seconds)
         try:
-            answer = self.judge.ask(exercise, visibility, student, allowance, command)
+            outcomes = self.judge.ask(exercise, visibility, student, seconds, command)
         finally:
             self.sandbox.clean()
-        if answer[2] == 0:
+        if not any(share for share, _ in outcomes.values()):
             self.sandbox.require()  # a sandbox that fails must not cost points
-        file.write_text(json.dumps(answer), encoding="utf-8")
-        return answer
+        file.write_text(json.dumps(outcomes), encoding="utf-8")
+        return outcomes
 
 
 def capped(exercise, outcomes):

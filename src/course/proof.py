@@ -1,19 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Proves five claims about the handout. A claim is proved again only when something that it depends on has changed."""
-import os
 import re
-import shutil
-import subprocess
-import tempfile
-import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from pathlib import Path
 
-import template
 from assignment import dataclass_from, read_toml
-from build import Kit, hash_of, write
-from errors import BadInput, ToolFailure
+from build import Kit, hash_of
+from errors import BadInput, Disproved, progress, run_tool
 from grading import Grader, Judge
 
 IDS = [f"student{number}" for number in range(1, 21)]
@@ -28,10 +21,6 @@ class Wrong:
     change: list  # tables with file, before, after
 
 
-class Disproved(Exception):
-    """A claim does not hold; the message gives the reason."""
-
-
 def read_wrong_solutions(file, solution):
     """Reads the wrong solutions. Returns pairs of Wrong and the files of the solution with this mistake."""
     found = []
@@ -43,10 +32,9 @@ def read_wrong_solutions(file, solution):
         files = dict(solution)
         for change in wrong.change:
             name, before, after = change["file"], change["before"], change["after"]
-            if name not in files:
-                raise BadInput(f"{where}: {name} is not a file of the solution")
-            if solution[name].count(before.encode()) != 1:
-                raise BadInput(f"{where}: 'before' occurs {solution[name].count(before.encode())} times in {name} instead of once")
+            occurrences = solution.get(name, b"").count(before.encode())
+            if occurrences != 1:
+                raise BadInput(f"{where}: 'before' occurs {occurrences} times in {name} instead of once")
             files[name] = files[name].replace(before.encode(), after.encode())
         found.append((wrong, files))
     return found
@@ -62,49 +50,35 @@ def with_points(text, points):
 
 
 class Proof:
-    """Proves the claims about a handout, and prints each claim that holds."""
+    """Proves the claims about the handout of a Course, and prints each claim that holds."""
 
-    def __init__(self, assignment, folder, project, judge, sandbox_class, work, jobs, progress):
-        self.assignment, self.folder, self.project, self.judge = assignment, Path(folder), project, judge
-        self.jobs, self.progress = jobs, progress
-        self.wrong_solutions_file = self.folder / "wrong_solutions.toml"
-        self.handout = {name: file.handout for name, file in project.items()}
-        self.files = [exercise.file for exercise in assignment.exercise]
-        self.store = work / "store"
+    def __init__(self, course, judge, sandbox_class, jobs):
+        self.course, self.assignment, self.handout = course, course.assignment, course.handout
+        self.judge, self.sandbox_class, self.jobs = judge, sandbox_class, jobs
+        self.files = [exercise.file for exercise in self.assignment.exercise]
+        self.store = course.work / "store"
         self.store.mkdir(parents=True, exist_ok=True)
-        self.kit = Kit.compiled(work / "kit", assignment, self.handout, jobs, progress)
-        self.sandbox_class = sandbox_class
-        sandbox_class(self.kit.folder, assignment.limits).require()
-        self.used = set()  # names of the results in the store that were used
+        self.kit = Kit.built(course.work / "kit", self.handout, jobs)
+        sandbox_class(self.kit.folder, self.assignment.limits).require()
 
     def grade(self, files, student="", judge=None):
         # Each thread needs a separate sandbox, because a sandbox remembers the user of its latest job.
         sandbox = self.sandbox_class(self.kit.folder, self.assignment.limits)
-        grader = Grader(self.assignment, self.kit, sandbox, judge or self.judge, self.store)
-        graded = grader.grade(files, student)
-        self.used |= grader.builder.used
-        return graded
+        return Grader(self.assignment, self.kit, sandbox, judge or self.judge, self.store).grade(files, student)
 
-    def sheet(self, typeset):
+    def sheet(self, inputs, typeset):
         """Returns the sheet as a PDF. Typesets it only if one of its inputs has changed."""
-        sources = sorted([self.folder / "sheet.tex", *self.folder.glob("figures/*")])
-        key = hash_of("sheet", self.assignment, self.judge.numbers(), *(path.read_bytes() for path in sources))
-        path = self.store / f"{key}.pdf"
-        self.used.add(path.name)
+        path = self.store / f"{hash_of('sheet', sorted(inputs.items()))}.pdf"
         if not path.exists():
-            self.progress("typesetting the sheet", 0, 1)
-            path.write_bytes(typeset())
+            progress("typesetting the sheet", 0, 1)
+            path.write_bytes(typeset(inputs))
         return path.read_bytes()
 
-    def prove(self, secrets, sheet_text, update):
+    def prove(self, secrets, sheet, update):
         """Proves the five claims in order. Raises Disproved for the first one that does not hold."""
-        solution = {name: self.project[name].solution.encode() for name in self.files}
-        wrong_solutions = read_wrong_solutions(self.wrong_solutions_file, solution)
-        key = self.store / f"{hash_of('builds', self.kit.key, *self.handout.items())}.held"
-        self.used.add(key.name)
-        if not key.exists():
-            self.builds()
-            key.touch()
+        solution = {name: self.course.project[name].solution.encode() for name in self.files}
+        wrong_solutions = read_wrong_solutions(self.course.folder / "wrong_solutions.toml", solution)
+        self.builds()
         print("1. the handout builds without warnings, and ctest lists every public check", flush=True)
 
         blank = self.grade({name: self.handout[name].encode() for name in self.files})
@@ -119,22 +93,15 @@ class Proof:
         self.wrong_solutions_score_as_listed(wrong_solutions, update)
         print(f"4. each of {len(wrong_solutions)} wrong solutions scores its listed points", flush=True)
 
-        found = leaks({**self.handout, "sheet.pdf": sheet_text}, secrets)
+        found = leaks({**self.handout, **sheet}, secrets)
         if found:
             raise Disproved("the handout contains secrets:\n" + "\n".join(found))
         print("5. no file contains a secret", flush=True)
-        for path in self.store.iterdir():
-            if path.name not in self.used:
-                shutil.rmtree(path) if path.is_dir() else path.unlink()
 
     def builds(self):
-        with tempfile.TemporaryDirectory(prefix="course-") as work:
-            write(self.handout, work)
-            self.progress("building the handout", 0, 1)
-            output = run(["cmake", "-B", "build"], work) + run(["cmake", "--build", "build", "--parallel", str(self.jobs)], work)
-            if "warning" in output.lower():
-                raise Disproved(f"the handout builds with warnings:\n{output.strip()}")
-            listed = run(["ctest", "--test-dir", "build", "--show-only"], work)
+        if "warning" in self.kit.log.lower():
+            raise Disproved(f"the handout builds with warnings:\n{self.kit.log.strip()}")
+        listed = run_tool(["ctest", "--test-dir", "build", "--show-only"], self.kit.folder)
         for check in self.assignment.checks:
             if check.is_public and not re.search(rf": {re.escape(check.id)}$", listed, re.MULTILINE):
                 raise Disproved(f"ctest of the handout does not list the public check '{check.id}'")
@@ -144,7 +111,7 @@ class Proof:
         self.grade(solution)  # compiles the solution once, before the threads need it
         with ThreadPoolExecutor(self.jobs) as pool:
             for number, (student, graded) in enumerate(zip(students, pool.map(lambda id: self.grade(solution, id), students)), 1):
-                self.progress("trying ids", number, len(students))
+                progress("trying ids", number, len(students))
                 if graded.points != self.assignment.points:
                     lost = [f"{result.check.id}: {result.points:g} of {result.check.points:g}: {result.message}"
                             for result in graded.results if result.points != result.check.points]
@@ -152,13 +119,13 @@ class Proof:
                                     f"{first_error(graded)}\n" + "\n".join(lost))
 
     def wrong_solutions_score_as_listed(self, listed, update):
-        file = self.wrong_solutions_file
+        file = self.course.folder / "wrong_solutions.toml"
         nominal = Judge(self.judge.program)  # without the salt, so that the listed points are the same for every salt
         points = {}
         with ThreadPoolExecutor(self.jobs) as pool:
             all_graded = pool.map(lambda entry: self.grade(entry[1], judge=nominal), listed)
             for number, ((wrong, _), graded) in enumerate(zip(listed, all_graded), 1):
-                self.progress("wrong solutions", number, len(listed))
+                progress("wrong solutions", number, len(listed))
                 if graded.errors:
                     raise Disproved(f"{file}: '{wrong.id}' {first_error(graded)}")
                 points[wrong.id] = graded.points
@@ -175,24 +142,14 @@ def first_error(graded):
     return "; ".join(f"({file}: {message.splitlines()[0]})" for file, message in graded.errors.items())
 
 
-def run(words, folder):
-    try:
-        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False, env={**os.environ, "TMPDIR": folder})
-    except OSError as error:
-        raise ToolFailure(f"{words[0]}: {error.strerror}; run \"make setup course\"") from None
-    if done.returncode != 0:
-        raise Disproved(f"{' '.join(words)} fails in the handout:\n{(done.stdout + done.stderr).strip()[-3000:]}")
-    return done.stdout + done.stderr
-
-
 def secrets_of(assignment, project, hidden_sources, public_sources):
     """Returns {secret: its origin}. Secret are the lines of the solution, and the lines, ids and file names of hidden checks,
     except lines that public checks contain as well."""
-    public = squeezed(" ".join(template.read_text(path) for path in public_sources))
+    public = squeezed(" ".join(path.read_text(encoding="utf-8") for path in public_sources))
     secrets = {check.id: "the id of a hidden check" for check in assignment.checks if not check.is_public}
     for path in hidden_sources:
         secrets[path.name] = "a file of hidden checks"
-        for number, line in enumerate(template.read_text(path).splitlines(), 1):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             if is_specific(line.strip()) and squeezed(line) not in public:
                 secrets[line.strip()] = f"{path.name}:{number}"
     for name, file in project.items():
@@ -218,14 +175,3 @@ def leaks(files, secrets):
             if squeezed(secret) in searched:
                 found.append(f"{name} contains \"{secret}\" ({origin})")
     return found
-
-
-def write_zip(files, path):
-    """Packs files, {name: text or bytes}. The same files always give the same bytes."""
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as packed:
-        for name, content in sorted(files.items()):
-            info = zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0))
-            info.compress_type = zipfile.ZIP_DEFLATED
-            is_program = content[:2] in ("#!", b"#!", b"\x7fE")
-            info.external_attr = (0o755 if is_program else 0o644) << 16
-            packed.writestr(info, content)

@@ -13,7 +13,6 @@ import subprocess
 import tempfile
 import threading
 import time
-from dataclasses import dataclass
 from itertools import count
 
 from errors import ToolFailure
@@ -22,14 +21,6 @@ from errors import ToolFailure
 FIRST_USER, USERS = 61184, 4000
 MAX_FILE_MB = 64  # of an object or a program
 MAX_TEXT = 100_000  # bytes of a job's output that are read
-
-
-@dataclass(frozen=True)
-class Ended:
-    status: int  # exit code, or minus the signal
-    text: str  # the beginning of its output
-    seconds: float  # wall-clock time
-    is_hung: bool  # it was killed after the time limit of the clock
 
 
 class Sandbox:
@@ -60,7 +51,7 @@ class Sandbox:
         return without_privileges(self.user, words)
 
     def run(self, words, work, seconds, clock):
-        """Runs a job that may write to its folder. Kills it after `clock` seconds."""
+        """Runs a job that may write to its folder. Returns its exit code, or minus its signal, and the beginning of its output."""
         begin = time.monotonic()
         with tempfile.TemporaryFile() as output:
             process = subprocess.Popen(self.command(words, work, seconds, writable=True), stdin=subprocess.DEVNULL, stdout=output,
@@ -73,16 +64,17 @@ class Sandbox:
             self.clean()
             output.seek(0)
             text = output.read(MAX_TEXT).decode(errors="replace")
-        elapsed = time.monotonic() - begin
-        return Ended(process.returncode, text, elapsed, elapsed >= clock)
+        if time.monotonic() - begin >= clock:
+            raise ToolFailure(f"a job did not end within {clock} s; is the machine too busy?")
+        return process.returncode, text
 
     def require(self):
         """Raises ToolFailure unless the sandbox works on this machine."""
         with tempfile.TemporaryDirectory(prefix="course-") as work:
             os.chmod(work, 0o755)
-            ended = self.run(["true"], work, seconds=10, clock=self.clock)
-        if ended.status != 0:
-            reason = (ended.text.strip().splitlines() or ["it did not start"])[0]
+            status, text = self.run(["true"], work, seconds=10, clock=self.clock)
+        if status != 0:
+            reason = (text.strip().splitlines() or ["it did not start"])[0]
             raise ToolFailure(f"the sandbox does not work here ({reason}). {self.hint}")
 
 

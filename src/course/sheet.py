@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Typesets the assignment sheet, a LaTeX file that reads tables and numbers written here from assignment.toml and the judge."""
-import os
-import shutil
-import subprocess
 import tempfile
 from pathlib import Path
 
-from errors import ToolFailure
+from build import write
+from errors import run_tool
 
-ENVIRONMENT = {**os.environ, "SOURCE_DATE_EPOCH": "946684800", "FORCE_SOURCE_DATE": "1", "TZ": "UTC", "LC_ALL": "C"}
+REPRODUCIBLE = {"SOURCE_DATE_EPOCH": "946684800", "FORCE_SOURCE_DATE": "1", "TZ": "UTC", "LC_ALL": "C"}
 UNITS = {"Pa": [(1e9, "GPa"), (1e6, "MPa")], "m": [(1e-3, "mm"), (1e-6, "\\textmu m")], "N/m": [(1e3, "kN/m")]}
 
 
@@ -30,14 +28,15 @@ def tabular(columns, head, rows):
                       r"\bottomrule\end{tabular}", ""])
 
 
-def generated(assignment, judge):
-    """Returns the files that sheet.tex reads, {name: text}."""
+def inputs(assignment, judge, folder):
+    """Returns the files of the sheet, {name: text}: those in the folder of the assignment, and the tables and values."""
     values = {"title": escaped(assignment.title), "due": escaped(assignment.due), "points": f"{assignment.points:g}"}
     values |= {f"limit.{name}": str(number) for name, number in vars(assignment.limits).items()}
     values |= {f"points.{exercise.id}": f"{exercise.points:g}" for exercise in assignment.exercise}
     values |= {name: quantity(number, "".join(unit)) for name, number, *unit in judge.numbers()}
     defined = (f"\\expandafter\\def\\csname sheet:{name}\\endcsname{{{text}}}\n" for name, text in values.items())
-    files = {"values.tex": "".join(defined)}
+    files = {path.name: path.read_text(encoding="utf-8") for path in [folder / "sheet.tex", *(folder / "figures").glob("*.gp")]}
+    files["values.tex"] = "".join(defined)
     files["exercises.tex"] = tabular(
         "lllrr", ["exercise", "file", "builds on", "points", "of which public"],
         [[f"{number}. {escaped(exercise.title)}", rf"\texttt{{{escaped(exercise.file)}}}",
@@ -51,33 +50,12 @@ def generated(assignment, judge):
     return files
 
 
-def typeset(assignment, judge, folder):
-    """Typesets the sheet, after gnuplot has drawn its figures. Returns the PDF."""
+def typeset(inputs):
+    """Typesets the sheet from its inputs, after gnuplot has drawn its figures. Returns the PDF."""
     with tempfile.TemporaryDirectory(prefix="course-") as work:
-        for path in [folder / "sheet.tex", *(folder / "figures").glob("*.gp")]:
-            shutil.copy(path, work)
-        for name, text in generated(assignment, judge).items():
-            Path(work, name).write_text(text, encoding="utf-8")
-        for script in sorted(Path(work).glob("*.gp")):
-            run(["gnuplot", script.name], work)
-        run(["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "sheet.tex"], work)
+        write(inputs, work)
+        for name in inputs:
+            if name.endswith(".gp"):
+                run_tool(["gnuplot", name], work, **REPRODUCIBLE)
+        run_tool(["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "sheet.tex"], work, **REPRODUCIBLE)
         return Path(work, "sheet.pdf").read_bytes()
-
-
-def text_of(pdf):
-    with tempfile.NamedTemporaryFile(suffix=".pdf") as file:
-        file.write(pdf)
-        file.flush()
-        return run(["pdftotext", file.name, "-"], "/")
-
-
-def run(words, folder):
-    try:
-        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace", env=ENVIRONMENT, check=False)
-    except OSError as error:
-        raise ToolFailure(f"{words[0]}: {error.strerror}; run \"make setup course\"") from None
-    if done.returncode != 0:
-        lines = (done.stdout + done.stderr).splitlines()
-        errors = [line for line in lines if line.startswith(("!", "l.")) or ".gp" in line]
-        raise ToolFailure(f"{words[0]} fails for the sheet: " + " ".join(errors or lines[-3:]))
-    return done.stdout

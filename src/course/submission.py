@@ -23,10 +23,6 @@ MOODLE = re.compile(r"[^_]*_(?P<id>\d+)_assignsubmission_file_?(?P<rest>.*)")
 CANVAS = re.compile(r"[^_]*(?:_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.+?)(?:-\d+)?(?P<ending>\.\w+)")
 
 
-class Unusable(Exception):
-    """A submission cannot be graded. The message is for the teacher and the student."""
-
-
 @dataclass
 class Member:
     """A file in a folder or a zip, not yet read."""
@@ -35,15 +31,15 @@ class Member:
 
     def read(self, max_kb):
         if self.open is None:
-            raise Unusable(f"{self.path} is a link or a special file")
+            raise BadInput(f"{self.path} is a link or a special file")
         try:
             with self.open() as stream:
                 content = stream.read((max_kb << 10) + 1)
         except (OSError, EOFError, RuntimeError, NotImplementedError, zipfile.BadZipFile, zlib.error) as error:
-            reason = "it needs a password" if "password" in str(error) else getattr(error, "strerror", None) or error
-            raise Unusable(f"{self.path} cannot be read: {reason}") from None
+            reason = "it needs a password" if "password" in str(error) else error
+            raise BadInput(f"{self.path} cannot be read: {reason}") from None
         if len(content) > max_kb << 10:
-            raise Unusable(f"{self.path} is larger than {max_kb} kB")
+            raise BadInput(f"{self.path} is larger than {max_kb} kB")
         return content
 
 
@@ -54,9 +50,9 @@ class Submission:
     problem: str = ""
 
     def read_files(self, assignment):
-        """Reads the files of the exercises, {name: bytes}. Raises Unusable if there are none, or if one occurs twice."""
+        """Reads the files of the exercises, {name: bytes}. Raises BadInput if there are none, or if one occurs twice."""
         if self.problem:
-            raise Unusable(self.problem)
+            raise BadInput(self.problem)
         names = {PurePosixPath(exercise.file).name: exercise.file for exercise in assignment.exercise}
         members = self.members
         zips = [member for member in members if member.path.suffix.lower() == ".zip"]
@@ -68,10 +64,10 @@ class Submission:
         for member in [member for member in candidates if member.path.parent.name == "src"] or candidates:
             name = names[member.path.name]
             if name in files:
-                raise Unusable(f"{name} was submitted twice")
+                raise BadInput(f"{name} was submitted twice")
             files[name] = member.read(assignment.limits.file_kb)
         if not files:
-            raise Unusable("none of the files " + ", ".join(names.values()) + " was submitted")
+            raise BadInput("none of the files " + ", ".join(names.values()) + " was submitted")
         return files
 
 
@@ -91,11 +87,11 @@ def open_plain(file):
 
 
 def zip_members(source):
-    """Lists the files of a zip. Raises Unusable if the zip is damaged."""
+    """Lists the files of a zip. Raises BadInput if the zip is damaged."""
     try:
         packed = zipfile.ZipFile(source)
-    except (OSError, ValueError, NotImplementedError, zipfile.BadZipFile) as error:
-        raise Unusable(f"the zip is damaged: {error}") from None
+    except (ValueError, NotImplementedError, zipfile.BadZipFile) as error:
+        raise BadInput(f"the zip is damaged: {error}") from None
     members = []
     for info in packed.infolist():
         if not info.is_dir():
@@ -113,11 +109,9 @@ def without_junk(members):
 
 def submissions_in(source):
     """Finds the submissions in a folder or in the zip of a class, sorted by id."""
-    if not os.path.lexists(source):
-        raise BadInput(f"{source}: no such file or folder")
     try:
         members = folder_members(source) if source.is_dir() else zip_members(source)
-    except Unusable as error:
+    except BadInput as error:
         raise BadInput(f"{source}: {error}") from None
     found, entries = {}, {}
     for member in sorted(members, key=lambda member: member.path):
@@ -129,8 +123,6 @@ def submissions_in(source):
             submission.problem = f"there are two submissions, {entries[id]} and {entry}"
         elif not ID.fullmatch(id):
             submission.problem = "its name is not an id: ids begin with a letter or digit and contain letters, digits, spaces and _.@+-"
-        elif not inner and member.open is None:
-            submission.problem = "the submission is a link"
         submission.members.append(Member(PurePosixPath(own or "", *inner) if own or inner else PurePosixPath(entry), member.open))
     for entry in source.iterdir() if source.is_dir() else []:
         if entry.is_dir() and not entry.name.startswith("."):

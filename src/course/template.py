@@ -11,7 +11,6 @@ A marker is a comment on a separate line (//, #, % or <!-- -->):
 """
 import re
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from errors import BadInput
 
@@ -44,36 +43,23 @@ def divide(text, name, lists):
                 result.secrets.append((number, line.strip()))
             continue
         indent, sign, words, rest = marker["indent"], marker["sign"], marker["words"], marker["rest"]
+        if words in ("END SOLUTION", "STUB:") and not begin_line or words == "BEGIN SOLUTION" and begin_line:
+            raise BadInput(f"{name}:{number}: the marker {words} is not expected here")
         if words == "BEGIN SOLUTION":
-            if begin_line:
-                raise BadInput(f"{name}:{number}: BEGIN SOLUTION inside the solution that begins in line {begin_line}")
             begin_line = number
             result.handout += f"{indent}{sign} YOUR SOLUTION HERE{' -->' if sign == '<!--' else ''}\n"
         elif words == "END SOLUTION":
-            if not begin_line:
-                raise BadInput(f"{name}:{number}: END SOLUTION without BEGIN SOLUTION")
             begin_line = None
         elif words == "STUB:":
-            if not begin_line:
-                raise BadInput(f"{name}:{number}: STUB outside a solution")
             result.handout += f"{indent}{rest}\n"
         else:
             for entry in lists.get(words[5:-1], []):
-                expanded = f"{indent}{expand(rest, entry, f'{name}:{number}')}\n"
+                expanded = indent + re.sub(r"@(\w+)@", lambda word: str(entry[word[1]]), rest) + "\n"
                 result.handout += expanded
                 result.solution += expanded
     if begin_line:
         raise BadInput(f"{name}:{begin_line}: BEGIN SOLUTION without END SOLUTION")
     return result
-
-
-def expand(text, entry, where):
-    """Replaces each @word@ in a text by its entry."""
-    def replaced(match):
-        if match[1] not in entry:
-            raise BadInput(f"{where}: @{match[1]}@ is not a word of this list")
-        return str(entry[match[1]])
-    return re.sub(r"@(\w+)@", replaced, text)
 
 
 def project(assignment, folder, sources):
@@ -85,19 +71,12 @@ def project(assignment, folder, sources):
     files = {}
     for path in sorted((folder / "template").rglob("*")):
         if path.is_file():
-            files[path.relative_to(folder / "template").as_posix()] = divide(read_text(path), path, lists)
+            files[path.relative_to(folder / "template").as_posix()] = divide(path.read_text(encoding="utf-8"), path, lists)
     for pattern in assignment.provided:
         for path in sorted(sources.glob(pattern)):
-            text = read_text(path)
+            text = path.read_text(encoding="utf-8")
             files[f"provided/{path.relative_to(sources).as_posix()}"] = Divided(text, text)
     for exercise in assignment.exercise:
         if exercise.file not in files:
             raise BadInput(f"{folder / 'template' / exercise.file}: the file of exercise '{exercise.id}' does not exist")
     return files
-
-
-def read_text(path):
-    try:
-        return Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeError) as error:
-        raise BadInput(f"{path}: {error}") from None

@@ -31,6 +31,7 @@ __attribute__((constructor(101))) inline void reserve_output_for_answers() {
 /// throws, the line is empty and the reason goes to standard error.
 template <class Run>
 void answer_questions(const Run& run) {
+  std::FILE* const answers = ::fdopen(answer_descriptor, "w");
   for (std::string line; std::getline(std::cin, line);) {
     std::istringstream words(line);
     std::string task;
@@ -43,18 +44,9 @@ void answer_questions(const Run& run) {
     } catch (const std::exception& e) {
       std::cerr << "no answer: " << e.what() << std::endl;
     }
-    std::string text;
-    for (const double number : answer) {
-      char digits[40];
-      std::snprintf(digits, sizeof digits, "%.17g ", number);
-      text += digits;
-    }
-    text += '\n';
-    for (std::size_t written = 0; written < text.size();) {
-      const auto n = ::write(answer_descriptor, text.data() + written, text.size() - written);
-      if (n <= 0) return;
-      written += static_cast<std::size_t>(n);
-    }
+    for (const double number : answer) std::fprintf(answers, "%.17g ", number);
+    std::fprintf(answers, "\n");
+    std::fflush(answers);
   }
 }
 

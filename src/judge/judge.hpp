@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,29 +8,19 @@
 
 namespace judge {
 
-/// The checks and numbers of an assignment.
-struct Assignment {
-  /// Returns the exercises with their checks, for the numbers that follow from a student's id and
-  /// the salt that determines the numbers of the hidden checks. An empty one means the nominal
-  /// numbers.
-  std::function<std::vector<Exercise>(const std::string& student, const std::string& salt)>
-      exercises;
-  /// Returns the numbers that follow from a student's id, one line "name value unit" per number.
-  std::function<std::string(const std::string& student)> numbers;
-};
-
-/// The main() of a judge:
+/// The main() of a judge of these exercises:
 ///
-///   --check ID -- PROGRAM…             runs one public check and prints what does not hold
-///   --exercise ID --public -- PROGRAM… runs the public checks of an exercise (or --hidden). Prints
-///                                      a line "ID share message" per check, separated by tabs, and
-///                                      then "used SECONDS ANSWERS": the time that the program took
-///                                      for its answers, and their number
-///   --numbers                          prints the student's numbers
+///   --check ID --student ID -- PROGRAM…     runs one public check
+///   --exercise ID --student ID -- PROGRAM…  runs the public checks of an exercise
+///   --exercise ID --salt FILE -- PROGRAM…   runs the hidden checks of an exercise, with the
+///   numbers
+///                                           that follow from the contents of a file
+///   --numbers ID                            prints what `numbers` returns for a student's id
 ///
-/// Options are --student ID, --salt-file FILE, and --allowance SECONDS, the time limit for all
-/// questions. PROGRAM is the command that starts the student's program. Exit codes: 0 success, 1
-/// the check does not hold, 3 the judge failed.
-int run(int argc, char** argv, const Assignment& assignment);
+/// PROGRAM is the command that starts the student's program, and --seconds N the time limit for all
+/// questions. Prints a line "ID share message" for each check, separated by tabs. Exit codes: 0 all
+/// checks hold, 1 one does not, 3 the judge failed.
+int run(int argc, char** argv, const std::vector<Exercise>& exercises,
+        std::string (*numbers)(const std::string& student));
 
 }  // namespace judge

@@ -22,14 +22,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Seconds for a question, which an honest program answers within milliseconds.
-constexpr double patience = 10;
-constexpr double patience_without_allowance = 1.5;
-// Seconds for all questions after the allowance is used up.
-constexpr double grace = 3;
+constexpr double most_patience = 10;
 constexpr std::size_t max_answer_bytes = 1 << 20;
 const char* const unasked = "the program wrote an answer without a question";
 const char* const too_slow = "the program did not answer in time";
-const char* const out_of_time = "the program used up its processor time";
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -74,8 +70,10 @@ Numbers numbers_of_line(const std::string& line) {
   return numbers;
 }
 
-StudentProgram::StudentProgram(std::vector<std::string> command, double allowance)
-    : command_(std::move(command)), allowance_(allowance) {}
+StudentProgram::StudentProgram(std::vector<std::string> command, double seconds)
+    : command_(std::move(command)),
+      patience_(std::min(most_patience, seconds / 2)),
+      seconds_left_(seconds) {}
 
 StudentProgram::~StudentProgram() {
   stop();
@@ -85,21 +83,13 @@ Numbers StudentProgram::answer(const std::string& task, const Numbers& inputs) {
   const std::string question = question_of(task, inputs);
   auto known = known_.find(question);
   if (known == known_.end()) {
-    const bool is_slow = slow_tasks_.count(task) == 1 && !has_allowance();
-    if (is_slow || seconds_for_a_question() <= 0) throw NoAnswer(too_slow);
+    if (seconds_left_ <= 0) throw NoAnswer(too_slow);
     const Clock::time_point begin = Clock::now();
     known = known_.emplace(question, ask(question)).first;
-    used_seconds_ += seconds_since(begin);
+    seconds_left_ -= seconds_since(begin);
   }
-  const std::string& failure = known->second.failure;
-  if (failure == too_slow || failure == out_of_time) slow_tasks_.insert(task);
-  if (!failure.empty()) throw NoAnswer(failure);
+  if (!known->second.failure.empty()) throw NoAnswer(known->second.failure);
   return known->second.numbers;
-}
-
-double StudentProgram::seconds_for_a_question() const {
-  const double left = std::max(allowance_, 0.0) + grace - used_seconds_;
-  return std::min(left, has_allowance() ? patience : patience_without_allowance);
 }
 
 StudentProgram::Answer StudentProgram::ask(const std::string& question) {
@@ -112,9 +102,7 @@ StudentProgram::Answer StudentProgram::ask(const std::string& question) {
     ::send(channel_, question.data(), question.size(), MSG_NOSIGNAL);
     const std::string line = read_line();
     if (line.empty()) return {{}, "the program has no answer"};  // but it can answer the next one
-    Answer answer{numbers_of_line(line), ""};
-    ++n_answers_;
-    return answer;
+    return {numbers_of_line(line), ""};
   } catch (const NoAnswer& e) {
     stop();
     return {{}, e.what()};
@@ -123,14 +111,12 @@ StudentProgram::Answer StudentProgram::ask(const std::string& question) {
 
 // Reads one line of output, without the line end. Throws NoAnswer for no line or several.
 std::string StudentProgram::read_line() {
-  const double seconds = seconds_for_a_question();
+  const double seconds = std::min(patience_, seconds_left_);
   const Clock::time_point begin = Clock::now();
   std::string text;
   while (text.find('\n') == text.npos) {
     const double left = seconds - seconds_since(begin);
-    if (left <= 0 || !has_something_to_read(channel_, left)) {
-      throw NoAnswer(too_slow);
-    }
+    if (left <= 0 || !has_something_to_read(channel_, left)) throw NoAnswer(too_slow);
     char chunk[65536];
     const auto n = ::recv(channel_, chunk, sizeof chunk, 0);
     if (n <= 0) throw NoAnswer(reason_of_exit());
@@ -151,7 +137,7 @@ std::string StudentProgram::reason_of_exit() const {
   }
   // A shell or a sandbox reports a signal as exit code 128 + signal.
   const int signal = end.si_code == CLD_EXITED ? end.si_status - 128 : end.si_status;
-  if (signal == SIGXCPU) return out_of_time;
+  if (signal == SIGXCPU) return "the program used up its processor time";
   const char* name = signal > 0 ? ::sigabbrev_np(signal) : nullptr;
   if (name == nullptr) return "the program ended before it answered";
   return std::string("the program crashed (SIG") + name + ")";

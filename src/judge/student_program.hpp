@@ -4,7 +4,6 @@
 #include <sys/types.h>
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -21,10 +20,8 @@ namespace judge {
 /// points.
 class StudentProgram {
  public:
-  /// `allowance` is the time limit in seconds for all questions. After it is used up, a question
-  /// has less time, tasks that took too long are not asked again, and soon no question is asked at
-  /// all.
-  StudentProgram(std::vector<std::string> command, double allowance);
+  /// `seconds` is the time limit for all questions. One question can use up half of it at most.
+  StudentProgram(std::vector<std::string> command, double seconds);
   StudentProgram(const StudentProgram&) = delete;
   StudentProgram& operator=(const StudentProgram&) = delete;
   ~StudentProgram();
@@ -32,31 +29,24 @@ class StudentProgram {
   /// Returns the answer to a question; asks a repeated question only once. Throws NoAnswer.
   Numbers answer(const std::string& task, const Numbers& inputs);
 
-  double used_seconds() const { return used_seconds_; }  ///< from questions to answers
-  int n_answers() const { return n_answers_; }
-
  private:
   struct Answer {
     Numbers numbers;
     std::string failure;  ///< empty if there is an answer
   };
   Answer ask(const std::string& question);
-  bool has_allowance() const { return used_seconds_ < allowance_; }
-  double seconds_for_a_question() const;
   std::string read_line();
   std::string reason_of_exit() const;
   void start();
   void stop();
 
   std::vector<std::string> command_;
-  double allowance_;
-  double used_seconds_ = 0;
-  int n_answers_ = 0;
+  double patience_;      // seconds for a question
+  double seconds_left_;  // for all further questions
   int n_starts_left_ = 3;
   pid_t process_ = -1;
   int channel_ = -1;
   std::map<std::string, Answer> known_;  ///< by question
-  std::set<std::string> slow_tasks_;
 };
 
 /// Reads a line of decimal numbers separated by blanks; "nan" and "inf" are numbers. Throws

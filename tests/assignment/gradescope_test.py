@@ -18,7 +18,7 @@ from toy_course import ARGUMENTS, skip, write
 import proof
 
 READS_SALT = '''#include <fstream>
-#include "assignment.hpp"
+#include "assignment/given/student_functions.hpp"
 namespace exercise {
 double normal_gradient(const Material&, const TriangularLoad&, double x) {
   std::ofstream("@/results/results.json") << "{\\"score\\": 100}";
@@ -38,10 +38,10 @@ class Gradescope(unittest.TestCase):
             (cls.autograder / name).mkdir()
         write({"salt.txt": "a salt\n", "submission_metadata.json": json.dumps({"users": [{"email": "ada@uni.edu", "id": 1}]})}, cls.autograder)
         subprocess.run([sys.executable, "-B", ROOT / "src/course/course.py", "gradescope", "--judge", ARGUMENTS[0], "--salt-file",
-                        cls.autograder / "salt.txt", "--output", cls.autograder / "autograder.zip"], check=True, capture_output=True)
-        with zipfile.ZipFile(cls.autograder / "autograder.zip") as packed:
+                        cls.autograder / "salt.txt", "--build", cls.autograder / "build"], check=True, capture_output=True)
+        with zipfile.ZipFile(cls.autograder / "build/gradescope.zip") as packed:
             packed.extractall(cls.autograder / "source")
-            cls.modes = {info.filename: info.external_attr >> 16 & 0o777 for info in packed.infolist()}
+            cls.modes = {info.filename: info.external_attr >> 16 & 0o777 for info in packed.infolist() if not info.is_dir()}
         # Gradescope keeps the permissions of the files.
         for name, mode in cls.modes.items():
             os.chmod(cls.autograder / "source" / name, mode)
@@ -63,7 +63,7 @@ class Gradescope(unittest.TestCase):
     def test_it_grades_and_a_submission_cannot_reach_salt_or_results(self):
         if os.geteuid() != 0:
             self.skipTest("only root can become an unprivileged user, as on Gradescope")
-        self.assertEqual(self.run_there("setup"), (0, ""))
+        self.assertEqual(self.run_there("setup"), (0, "building the handout: 0 of 1\n"))
 
         status, output, results = self.graded(SOLUTION)
         self.assertEqual((status, results["score"]), (0, ASSIGNMENT.points), output)

@@ -12,9 +12,8 @@ class Handout(unittest.TestCase):
     def test_every_list_contains_each_exercise(self):
         for exercise in ASSIGNMENT.exercise:
             self.assertIn("YOUR SOLUTION HERE", HANDOUT[exercise.file])
-            for name, line in (("CMakeLists.txt", f"  {exercise.file}\n"), ("src/assignment.hpp", f'#include "assignment/exercises/{exercise.id}.hpp"\n'),
-                               ("README.md", f"| `{exercise.file}` | "), ("provided/tasks.cpp", f"      assignment::{exercise.id}::task(),\n"),
-                               ("provided/checks.cpp", f'{{"{exercise.id}", bound({exercise.id}::public_checks(), own), {{}}}},')):
+            for name, line in (("CMakeLists.txt", f"  {exercise.file}\n"), ("README.md", f"| `{exercise.file}` | "), ("provided/main.cpp", f"  if (task == {exercise.id}::task) return {exercise.id}::answer(inputs);\n"),
+                               ("provided/checks.cpp", f'{{"{exercise.id}", {exercise.id}::public_checks(), {{}}}},')):
                 self.assertIn(line, HANDOUT[name])
 
     def test_it_does_not_name_hidden_checks_or_wrong_solutions(self):

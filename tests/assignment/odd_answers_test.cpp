@@ -34,7 +34,7 @@ Program with_first(double number) {
 
 void require_nothing(const Program& program) {
   for (const Kind kind : {Kind::public_checks, Kind::hidden_checks}) {
-    for (const assignment::Check& check : programs::all(kind)) {
+    for (const judge::Check& check : programs::all(kind)) {
       BOOST_TEST(programs::outcome_of(check, program).share == 0, check.id);
     }
   }

@@ -3,19 +3,19 @@
 // mistake.
 #pragma once
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <stdexcept>
 #include <string>
 
-#include "assignment/given/task.hpp"
 #include "assignment/hidden/reference.hpp"
 #include "exercise_list.hpp"
 
 namespace programs {
 
-using assignment::OwnNumbers;
 using assignment::Surface;
 using judge::Numbers;
 using judge::Program;
@@ -76,22 +76,34 @@ inline Program scaled(const std::string& task, double factor) {
   return spoiled(task, [=](Numbers& out) { out = judge::times(factor, out); });
 }
 
+/// The correct program, except that the quadrature reports what `report` returns for its error and
+/// the greatest slope.
+inline Program reporting(const std::function<double(double error, double greatest)>& report) {
+  return spoiled("gradient_by_quadrature", [=](Numbers& out) {
+    double greatest = 0;
+    for (std::size_t i = 0; i < out.size(); i += 2) {
+      greatest = std::max(greatest, std::abs(out[i]));
+    }
+    for (std::size_t i = 1; i < out.size(); i += 2) out[i] = report(out[i], greatest);
+  });
+}
+
 enum class Kind { public_checks, hidden_checks };
 
-inline assignment::Checks all(Kind kind) {
-  assignment::Checks checks;
-  for (const auto& exercise : assignment::listed_exercises) {
-    const assignment::Checks some =
-        kind == Kind::public_checks ? exercise.public_checks() : exercise.hidden_checks();
+inline judge::Checks all(Kind kind) {
+  judge::Checks checks;
+  for (const auto& exercise : assignment::exercises()) {
+    const judge::Checks& some =
+        kind == Kind::public_checks ? exercise.public_checks : exercise.hidden_checks;
     checks.insert(checks.end(), some.begin(), some.end());
   }
   return checks;
 }
 
 /// The check with this id.
-inline assignment::Check check_of(const std::string& id) {
+inline judge::Check check_of(const std::string& id) {
   for (const Kind kind : {Kind::public_checks, Kind::hidden_checks}) {
-    for (const assignment::Check& check : all(kind)) {
+    for (const judge::Check& check : all(kind)) {
       if (check.id == id) return check;
     }
   }
@@ -99,42 +111,38 @@ inline assignment::Check check_of(const std::string& id) {
 }
 
 /// The outcome of a check. As in the judge, a check that throws NoAnswer scores nothing.
-inline judge::Outcome outcome_of(const assignment::Check& check, const Program& program,
-                                 const OwnNumbers& own = assignment::nominal_numbers()) {
+inline judge::Outcome outcome_of(const judge::Check& check, const Program& program,
+                                 const std::string& id = "") {
   try {
-    return check.outcome(program, own);
+    return check.outcome(program, id);
   } catch (const judge::NoAnswer& e) {
     return {0, e.what()};
   }
 }
 
-inline double share(const std::string& id, const Program& program,
-                    const OwnNumbers& own = assignment::nominal_numbers()) {
-  return outcome_of(check_of(id), program, own).share;
+inline double share(const std::string& check, const Program& program, const std::string& id = "") {
+  return outcome_of(check_of(check), program, id).share;
 }
 
 /// The checks that a program does not pass completely. Each of them must have a message.
 inline std::set<std::string> failed(Kind kind, const Program& program) {
-  std::set<std::string> ids;
-  for (const assignment::Check& check : all(kind)) {
+  std::set<std::string> found;
+  for (const judge::Check& check : all(kind)) {
     const judge::Outcome outcome = outcome_of(check, program);
     BOOST_TEST((outcome.share == 1) == outcome.message.empty(), check.id);
-    if (outcome.share < 1) ids.insert(check.id);
+    if (outcome.share < 1) found.insert(check.id);
   }
-  return ids;
+  return found;
 }
 
-/// The nominal numbers and those of three students.
-inline std::vector<OwnNumbers> some_numbers() {
-  return {assignment::nominal_numbers(), assignment::own_numbers("ada"),
-          assignment::own_numbers("emmy"), assignment::own_numbers("sofja")};
-}
+/// The ids of three students, and the empty one of the nominal numbers.
+constexpr const char* ids[] = {"", "ada", "emmy", "sofja"};
 
-/// Requires that the correct program passes all checks of this kind with all of some_numbers().
+/// Requires that the correct program passes all checks of this kind with the numbers of all ids.
 inline void require_right(Kind kind) {
-  for (const OwnNumbers& own : some_numbers()) {
-    for (const assignment::Check& check : all(kind)) {
-      const judge::Outcome outcome = outcome_of(check, right, own);
+  for (const char* id : ids) {
+    for (const judge::Check& check : all(kind)) {
+      const judge::Outcome outcome = outcome_of(check, right, id);
       BOOST_TEST(outcome.share == 1, check.id << ": " << outcome.message);
     }
   }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grades the submissions in tests/course/attacks as one class. Each must score the points in its second line and harm no other.
+"""Grades the submissions in attacks.cpp as one class. Each must score the points in its first line and harm no other.
 
 attacks_test.py ROOT JUDGE MODE: MODE "root" and "user" grade with bubblewrap as root and as an ordinary user, "container" as
 root without bubblewrap. "quick" grades with bubblewrap as the current user, and only submissions that take no time.
@@ -17,7 +17,10 @@ from toy_course import ARGUMENTS, SOLUTION, Work, require_bubblewrap, skip
 JUDGE, MODE = ARGUMENTS
 ORDINARY = 61000
 SLOW = {"answers_late", "hangs_at_start", "hangs_at_one_place", "never_ends", "sleeps", "forks", "compiles_without_end", "takes_memory", "fills_the_disk"}
-FIXTURES = {path.stem: path.read_text(encoding="utf-8") for path in sorted(Path(__file__).with_name("attacks").glob("*.cpp"))}
+SECTION = re.compile(r"// == (\w+) ([\d.]+) ([\d.]+) ([\d.]+): .*\n((?:(?!// == ).*\n)*)")
+TEXT = Path(__file__).with_name("attacks.cpp").read_text(encoding="utf-8")
+SECTIONS = SECTION.findall(TEXT)
+FIXTURES = {name: TEXT[:TEXT.index("// == ")] + text for name, *_, text in SECTIONS}
 if MODE == "quick":
     FIXTURES = {name: text for name, text in FIXTURES.items() if name not in SLOW}
 if MODE == "container":
@@ -75,10 +78,11 @@ class Attacks(unittest.TestCase):
         self.assertEqual(self.status, 0, self.output)
 
     def test_each_submission_scores_the_listed_points(self):
-        for name, text in FIXTURES.items():
-            with self.subTest(name):
-                expected = re.match(r"// ([\d.]+) ([\d.]+) ([\d.]+): ", text.splitlines()[1])
-                self.assertEqual(self.points(name), [float(number) for number in expected.groups()], self.feedback(name))
+        self.assertEqual(len(SECTIONS), 37)
+        for name, *points, _ in SECTIONS:
+            if name in FIXTURES:
+                with self.subTest(name):
+                    self.assertEqual(self.points(name), [float(number) for number in points], self.feedback(name))
 
     def test_edited_files_of_the_project_have_no_effect(self):
         self.assertEqual(self.points("edits_the_project"), [0, 0, 0])

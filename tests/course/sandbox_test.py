@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a job sees and which limits it has, in each sandbox that works here. tests/course/attacks contains submissions that attack."""
+"""What a job sees and which limits it has, in each sandbox that works here. attacks.cpp contains submissions that attack."""
 import os
 import tempfile
 import unittest
@@ -35,8 +35,8 @@ class Jobs(unittest.TestCase):
         for name in WORKING:
             with self.subTest(name):
                 kit = SANDBOXES[name](self.folder / "kit", LIMITS).kit
-                ended = self.run_in(name, f"cat '{kit}/given'; echo x > '{kit}/given' || echo x > made; exit 7")
-                self.assertEqual((ended.status, ended.text[:5]), (7, "given"))
+                status, text = self.run_in(name, f"cat '{kit}/given'; echo x > '{kit}/given' || echo x > made; exit 7")
+                self.assertEqual((status, text[:5]), (7, "given"))
                 self.assertEqual((self.folder / "kit/given").read_text(), "given")
                 (self.folder / "work/made").unlink()
 
@@ -44,28 +44,29 @@ class Jobs(unittest.TestCase):
         os.environ["SECRET"] = "in the environment"
         for name in WORKING:
             with self.subTest(name):
-                ended = self.run_in(name, "env; id -u")
-                self.assertNotIn("in the environment", ended.text)
-                self.assertNotEqual(ended.text.split()[-1], "0")
+                _, text = self.run_in(name, "env; id -u")
+                self.assertNotIn("in the environment", text)
+                self.assertNotEqual(text.split()[-1], "0")
 
     def test_bubblewrap_hides_other_files_processes_and_the_network(self):
         if "bubblewrap" not in WORKING:
             self.skipTest(bubblewrap_problem())
-        ended = self.run_in("bubblewrap", "ls -A / /dev /tmp; ls /proc /sys /etc 2> /dev/null; cat < /dev/tcp/127.0.0.1/1; kill -0 -1 || echo alone")
-        self.assertEqual(ended.text.split("sh: ")[0].split(), ["/:", *"bin dev kit lib lib64 tmp usr work".split(), "/dev:", "null", "/tmp:"])
-        self.assertIn("alone", ended.text)
+        _, text = self.run_in("bubblewrap", "ls -A / /dev /tmp; ls /proc /sys /etc 2> /dev/null; cat < /dev/tcp/127.0.0.1/1; kill -0 -1 || echo alone")
+        self.assertEqual(text.split("sh: ")[0].split(), ["/:", *"bin dev kit lib lib64 tmp usr work".split(), "/dev:", "null", "/tmp:"])
+        self.assertIn("alone", text)
 
     def test_processor_time_and_wall_clock_time_are_limited(self):
         for name in WORKING:
             with self.subTest(name):
-                self.assertIn(self.run_in(name, "while :; do :; done", seconds=1).status, (-24, 152))
-                self.assertTrue(self.run_in(name, "sleep 1000 & sleep 1000", clock=1).is_hung)
+                self.assertIn(self.run_in(name, "while :; do :; done", seconds=1)[0], (-24, 152))
+                with self.assertRaisesRegex(ToolFailure, "a job did not end within 1 s"):
+                    self.run_in(name, "sleep 1000 & sleep 1000", clock=1)
 
     def test_memory_processes_and_files_are_limited(self):
         for name in WORKING:
             with self.subTest(name):
-                ended = self.run_in(name, "ulimit -v; ulimit -p; ulimit -f")
-                self.assertEqual([int(word) for word in ended.text.split()], [512 << 10, 16, 64 << 11])
+                _, text = self.run_in(name, "ulimit -v; ulimit -p; ulimit -f")
+                self.assertEqual([int(word) for word in text.split()], [512 << 10, 16, 64 << 11])
 
     def test_a_sandbox_that_does_not_work_names_a_remedy(self):
         with mock.patch.dict(os.environ, PATH="/nowhere"), self.assertRaisesRegex(ToolFailure, "bubblewrap is not installed"):

@@ -69,7 +69,7 @@ class Work:
         if judge:
             shutil.copy(judge, self.judge)
         self.submissions = self.private / "submissions"
-        self.output = self.private / "grades"
+        self.output = self.folder / "build/grades"
 
     def give_to(self, user):
         subprocess.run(["chown", "-R", f"{user}:{user}", self.folder], check=True)
@@ -85,7 +85,7 @@ class Work:
         return done.returncode, done.stdout + done.stderr
 
     def grade(self, *options):
-        return self.course("grade", self.submissions, "--output", self.output, *options)
+        return self.course("grade", self.submissions, *options)
 
     def table(self):
         """Reads grades.csv: {id: {column: text}}."""

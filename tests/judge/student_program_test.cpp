@@ -29,8 +29,8 @@ std::string answer_or_reason(StudentProgram& program, const std::string& task,
   }
 }
 
-std::string reason_for(const std::string& script, double allowance = no_limit) {
-  StudentProgram program({"sh", "-c", script}, allowance);
+std::string reason_for(const std::string& script, double seconds = no_limit) {
+  StudentProgram program({"sh", "-c", script}, seconds);
   return answer_or_reason(program, "task");
 }
 
@@ -41,7 +41,6 @@ BOOST_AUTO_TEST_CASE(a_program_answers_line_by_line_with_all_digits) {
 
   BOOST_TEST(program.answer("swap", {0.1, 2.5e-300}) == (Numbers{2.5e-300, 0.1}));
   BOOST_TEST(program.answer("swap", {1, -2}) == (Numbers{-2, 1}));
-  BOOST_TEST(program.n_answers() == 2);
 }
 
 BOOST_AUTO_TEST_CASE(the_same_question_is_asked_once) {
@@ -112,25 +111,14 @@ BOOST_AUTO_TEST_CASE(an_empty_answer_costs_only_its_question) {
   BOOST_TEST(answer_or_reason(program, "task", {1}) == "1.000000 ");
 }
 
-BOOST_AUTO_TEST_CASE(after_the_allowance_a_task_that_hung_is_not_asked_again) {
+BOOST_AUTO_TEST_CASE(a_question_that_hangs_leaves_time_for_others_but_not_endlessly) {
   StudentProgram program(
-      {"sh", "-c", "while read -r task x; do [ $task != slow ] || sleep 100; echo $x; done"}, 0);
+      {"sh", "-c", "while read -r task x; do [ $task != slow ] || sleep 100; echo $x; done"}, 1);
 
   BOOST_TEST(answer_or_reason(program, "slow", {1}) == "the program did not answer in time");
-  const double used = program.used_seconds();
-  BOOST_TEST(used > 1.4);
-  BOOST_TEST(answer_or_reason(program, "slow", {2}) == "the program did not answer in time");
-  BOOST_TEST(program.used_seconds() == used);
-  BOOST_TEST(answer_or_reason(program, "quick", {3}) == "3.000000 ");
-}
-
-BOOST_AUTO_TEST_CASE(a_program_that_answers_late_does_not_get_endless_time) {
-  StudentProgram program({"sh", "-c", "while read -r task x; do sleep 1; echo $x; done"}, 0);
-
-  for (int i = 0; i < 10; ++i) answer_or_reason(program, "late", {1.0 * i});
-
-  BOOST_TEST(program.n_answers() <= 3);
-  BOOST_TEST(answer_or_reason(program, "late", {10}) == "the program did not answer in time");
+  BOOST_TEST(answer_or_reason(program, "quick", {2}) == "2.000000 ");
+  BOOST_TEST(answer_or_reason(program, "slow", {3}) == "the program did not answer in time");
+  BOOST_TEST(answer_or_reason(program, "quick", {4}) == "the program did not answer in time");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

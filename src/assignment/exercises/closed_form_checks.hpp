@@ -5,29 +5,29 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 
-#include "assignment/exercises/closed_form.hpp"
 #include "assignment/given/bodies.hpp"
-#include "assignment/given/task.hpp"
 
 namespace assignment::closed_form {
 
-inline Task task() {
-  return {"gradient", "E ν p₀ a x₁ x₂ …", "∂u_z/∂x at each x, eq. (3)", 5, [](const Numbers& in) {
-            return for_each_from(4, in, [&](double x, Numbers& out) {
-              out.push_back(exercise::normal_gradient({in[0], in[1]}, {in[2], in[3]}, x));
-            });
-          }};
+inline constexpr const char* task = "gradient";
+
+/// Returns ∂u_z/∂x at each x, eq. (3). The inputs are E ν p₀ a x₁ x₂ …
+inline Numbers answer(const Numbers& in) {
+  return for_each_from(4, in, [&](double x, Numbers& out) {
+    out.push_back(exercise::normal_gradient({in[0], in[1]}, {in[2], in[3]}, x));
+  });
 }
 
 /// Asks for ∂u_z/∂x at each x under the triangle of eq. (3), whatever the surface's shape.
 inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
   const Numbers inputs = joined({s.young, s.poisson, s.peak_pressure, s.half_width}, x);
-  return judge::answer_of(program, "gradient", inputs, x.size());
+  return judge::answer_of(program, task, inputs, x.size());
 }
 
-inline Outcome gradient_is_odd(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome gradient_is_odd(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const double a = surface.half_width;
   const Numbers right = {0.3 * a, 0.9 * a, 1.7 * a, 6 * a};
   const Numbers x = joined(joined(right, times(-1, right)), {0});
@@ -43,8 +43,8 @@ inline Outcome gradient_is_odd(const Program& program, const OwnNumbers& own) {
   return tally.outcome();
 }
 
-inline Outcome gradient_falls_as_1_over_x(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome gradient_falls_as_1_over_x(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const Numbers xi = {20, 100, 1e5, 1e7};
   const Numbers x = times(surface.half_width, xi);
   const Numbers g = ask(program, surface, joined(x, times(2, x)));
@@ -70,8 +70,8 @@ inline bool is_multiple(const Numbers& one, const Numbers& other, double factor)
   return near(one[0], factor * other[0], tolerance) && near(one[1], factor * other[1], tolerance);
 }
 
-inline Outcome gradient_scales(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome gradient_scales(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   Surface pressed = surface;
   pressed.peak_pressure *= 3;
   Surface stiff = surface;

@@ -7,23 +7,23 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <vector>
 
-#include "assignment/exercises/contact_solver.hpp"
 #include "assignment/exercises/influence_checks.hpp"
 #include "assignment/given/bodies.hpp"
-#include "assignment/given/task.hpp"
 
 namespace assignment::contact_solver {
 
-inline Task task() {
-  return {"contact", "E₁ ν₁ R₁ E₂ ν₂ R₂ P c n datum", "δ, a, then the n pressures", 10,
-          [](const Numbers& in) {
-            const exercise::Cylinders cylinders{{in[0], in[1]}, in[2], {in[3], in[4]}, in[5]};
-            const exercise::Grid grid{static_cast<int>(std::lround(in[8])), in[7]};
-            const auto found = exercise::solve_contact(cylinders, grid, in[9], in[6]);
-            return joined({found.approach, found.half_width}, found.pressure);
-          }};
+inline constexpr const char* task = "contact";
+
+/// Returns δ, a and the n pressures. The inputs are E₁ ν₁ R₁ E₂ ν₂ R₂ P c n datum.
+inline Numbers answer(const Numbers& in) {
+  const exercise::Cylinders cylinders{
+      {in.at(0), in.at(1)}, in.at(2), {in.at(3), in.at(4)}, in.at(5)};
+  const exercise::Grid grid{static_cast<int>(std::lround(in.at(8))), in.at(7)};
+  const auto found = exercise::solve_contact(cylinders, grid, in.at(9), in.at(6));
+  return joined({found.approach, found.half_width}, found.pressure);
 }
 
 /// The program's answer: the approach δ, the half-width a, and the pressure at each node.
@@ -44,7 +44,7 @@ inline Numbers inputs_of(const Cylinders& c) {
 inline Answer ask(const Program& program, const Cylinders& c) {
   const std::size_t n_before_pressures = 2;
   const Numbers numbers = judge::answer_of(
-      program, "contact", inputs_of(c), n_before_pressures + static_cast<std::size_t>(c.n_nodes));
+      program, task, inputs_of(c), n_before_pressures + static_cast<std::size_t>(c.n_nodes));
   return {
       numbers[0], numbers[1],
       Numbers(numbers.begin() + static_cast<std::ptrdiff_t>(n_before_pressures), numbers.end())};
@@ -76,10 +76,10 @@ inline Cylinders with_load(Cylinders cylinders, double share) {
   return cylinders;
 }
 
-inline Outcome contact_carries_the_load(const Program& program, const OwnNumbers& own) {
+inline Outcome contact_carries_the_load(const Program& program, const std::string& id) {
   Tally tally("the sum of the pressures times the spacing is the load");
   for (const double share : {1., 0.6}) {
-    const Cylinders c = with_load(cylinders_of(own), share);
+    const Cylinders c = with_load(cylinders_of(id), share);
     const Numbers p = ask(program, c).pressure;
     const double carried = c.spacing * std::accumulate(p.begin(), p.end(), 0.0);
     tally.part(near(carried, c.line_load, pressure_roundings * c.line_load),
@@ -88,8 +88,8 @@ inline Outcome contact_carries_the_load(const Program& program, const OwnNumbers
   return tally.outcome();
 }
 
-inline Outcome contact_pressure_has_the_shape(const Program& program, const OwnNumbers& own) {
-  const Numbers p = ask(program, cylinders_of(own)).pressure;
+inline Outcome contact_pressure_has_the_shape(const Program& program, const std::string& id) {
+  const Numbers p = ask(program, cylinders_of(id)).pressure;
   const double top = greatest(p);
   const std::size_t n = p.size();
   bool is_symmetric = top > 0;
@@ -106,10 +106,10 @@ inline Outcome contact_pressure_has_the_shape(const Program& program, const OwnN
   return tally.outcome();
 }
 
-inline Outcome contact_closes_the_gap(const Program& program, const OwnNumbers& own) {
+inline Outcome contact_closes_the_gap(const Program& program, const std::string& id) {
   Tally tally("the gap u_z1 + u_z2 + h − δ");
   for (const double share : {1., 0.6}) {
-    const Cylinders c = with_load(cylinders_of(own), share);
+    const Cylinders c = with_load(cylinders_of(id), share);
     const Answer contact = ask(program, c);
     const Numbers gap = gaps(program, c, contact);
     const double edge = c.x(c.n_nodes - 1);
@@ -135,9 +135,9 @@ inline bool same(const Numbers& a, const Numbers& b, double tolerance) {
   return all;
 }
 
-inline Outcome contact_scales(const Program& program, const OwnNumbers& own) {
+inline Outcome contact_scales(const Program& program, const std::string& id) {
   constexpr double tolerance = 100 * pressure_roundings;
-  const Cylinders c = cylinders_of(own);
+  const Cylinders c = cylinders_of(id);
   Cylinders large = with_load(c, 4);
   large.spacing *= 2;
   large.datum *= 2;
@@ -166,8 +166,8 @@ inline double half_width_on(const Program& program, Cylinders c, double a, int s
   return ask(program, c).half_width;
 }
 
-inline Outcome contact_half_width_converges(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+inline Outcome contact_half_width_converges(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double a = ask(program, c).half_width;
   if (!(a > 0)) return {0, "the half-width is not positive"};
   Tally tally(

@@ -13,8 +13,8 @@ namespace {
 
 // The student's pair of cylinders and three variants, each with a grid that extends beyond the
 // contact.
-std::vector<std::pair<std::string, Cylinders>> pairs_of(const OwnNumbers& own) {
-  const Cylinders pair = cylinders_of(own);
+std::vector<std::pair<std::string, Cylinders>> pairs_of(const std::string& id) {
+  const Cylinders pair = cylinders_of(id);
   Cylinders light = pair;
   light.line_load *= 0.55;
   Cylinders swapped = pair;
@@ -38,24 +38,24 @@ std::vector<std::pair<std::string, Cylinders>> pairs_of(const OwnNumbers& own) {
 
 using Comparison = std::function<bool(const Answer& found, const ContactOfCylinders& reference)>;
 
-Outcome compare(const Program& program, const OwnNumbers& own, const std::string& property,
+Outcome compare(const Program& program, const std::string& id, const std::string& property,
                 const Comparison& is_right) {
   Tally tally(property);
-  for (const auto& [name, cylinders] : pairs_of(own)) {
+  for (const auto& [name, cylinders] : pairs_of(id)) {
     tally.part(is_right(ask(program, cylinders), contact_of(cylinders)), name);
   }
   return tally.outcome();
 }
 
-Outcome contact_is_right(const Program& program, const OwnNumbers& own) {
-  return compare(program, own, "the pressure is right to 1e-6 of the greatest",
+Outcome contact_is_right(const Program& program, const std::string& id) {
+  return compare(program, id, "the pressure is right to 1e-6 of the greatest",
                  [](const Answer& found, const ContactOfCylinders& reference) {
                    return same(found.pressure, reference.pressure, 1e-6);
                  });
 }
 
-Outcome contact_half_width_is_right(const Program& program, const OwnNumbers& own) {
-  return compare(program, own, "half-width and approach are right to six digits",
+Outcome contact_half_width_is_right(const Program& program, const std::string& id) {
+  return compare(program, id, "half-width and approach are right to six digits",
                  [](const Answer& found, const ContactOfCylinders& reference) {
                    return near(found.half_width, reference.half_width,
                                1e-6 * reference.half_width) &&

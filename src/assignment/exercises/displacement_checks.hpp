@@ -4,33 +4,33 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "assignment/exercises/closed_form_checks.hpp"
-#include "assignment/exercises/displacement.hpp"
 #include "assignment/given/bodies.hpp"
-#include "assignment/given/shapes.hpp"
-#include "assignment/given/task.hpp"
 
 namespace assignment::displacement {
 
-inline Task task() {
-  return {"displacement", "E ν S p₀ a datum x₁ x₂ …", "u_z at each x", 7, [](const Numbers& in) {
-            const exercise::Load load = load_of(in[2], in[3], in[4]);
-            return for_each_from(6, in, [&](double x, Numbers& out) {
-              out.push_back(exercise::normal_displacement({in[0], in[1]}, load, in[5], x));
-            });
-          }};
+inline constexpr const char* task = "displacement";
+
+/// Returns u_z at each x. The inputs are E ν S p₀ a datum x₁ x₂ …, where S is the number of a
+/// pressure.
+inline Numbers answer(const Numbers& in) {
+  const exercise::Load load = load_of(in.at(2), in.at(3), in.at(4));
+  return for_each_from(6, in, [&](double x, Numbers& out) {
+    out.push_back(exercise::normal_displacement({in[0], in[1]}, load, in[5], x));
+  });
 }
 
 /// Asks for u_z at each x.
 inline Numbers ask(const Program& program, const Surface& s, const Numbers& x) {
   const Numbers inputs =
       joined({s.young, s.poisson, s.shape, s.peak_pressure, s.half_width, s.datum}, x);
-  return judge::answer_of(program, "displacement", inputs, x.size());
+  return judge::answer_of(program, task, inputs, x.size());
 }
 
-inline Outcome displacement_keeps_datum(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome displacement_keeps_datum(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const double a = surface.half_width;
   const double datum = surface.datum;
   const Numbers u = ask(program, surface, {datum, -datum, 0.6 * a, -0.6 * a, 4 * a, -4 * a});
@@ -50,8 +50,8 @@ inline double slope_of(const Numbers& u, std::size_t first, double h) {
   return (u[first] - 8 * u[first + 1] + 8 * u[first + 3] - u[first + 4]) / (12 * h);
 }
 
-inline Outcome displacement_has_the_slope(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome displacement_has_the_slope(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const double a = surface.half_width;
   const Numbers xi = {0.25, -0.5, 0.7, 1.4, 4};
   // A tenth of the distance to the nearest kink, which gives an error of 1e-5.
@@ -70,8 +70,8 @@ inline Outcome displacement_has_the_slope(const Program& program, const OwnNumbe
   return tally.outcome();
 }
 
-inline Outcome displacement_has_the_shape(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
+inline Outcome displacement_has_the_shape(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
   const double a = surface.half_width;
   const Numbers u =
       ask(program, surface, {0, 0.5 * a, a, 3 * a, 50 * a, 100 * a, 200 * a, 400 * a});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstddef>
+#include <string>
 
 #include "assignment/exercises/displacement_checks.hpp"
 #include "assignment/hidden/reference.hpp"
-#include "assignment/hidden/waves.hpp"
 
 namespace assignment::displacement {
 namespace {
@@ -26,19 +26,21 @@ void test_displacement(const Program& program, Surface surface, const Places& pl
   }
 }
 
-Outcome displacement_is_right(const Program& program, const OwnNumbers& own) {
+Outcome displacement_is_right(const Program& program, const std::string& id) {
   Tally tally("u_z is right to 1e-8 of p0 a/E");
   for (const Places& places :
        {Places{shape::triangle, {0.7}}, Places{shape::smooth, {0, -0.3, 0.999, 1.2, 20}},
         Places{shape::one_sided, {0.001, 0.7, -0.99, 1, -3, -200}},
-        Places{waves(own), {0.2, -0.8, 1.5}}}) {
-    test_displacement(program, surface_of(own), places, tally);
+        Places{waves(id), {0.2, -0.8, 1.5}}}) {
+    test_displacement(program, surface_of(id), places, tally);
   }
   return tally.outcome();
 }
 
-Outcome displacement_is_right_elsewhere(const Program& program, const OwnNumbers& own) {
-  Surface surface{own.young2, own.poisson2, 0.37 * own.peak_pressure, 2.3 * own.half_width, 0};
+Outcome displacement_is_right_elsewhere(const Program& program, const std::string& id) {
+  const OwnNumbers other = own_numbers(id);
+  Surface surface{other.young2, other.poisson2, 0.37 * other.peak_pressure, 2.3 * other.half_width,
+                  0};
   Tally tally("u_z is right to 1e-8 of p0 a/E for a different material, size and datum");
   for (const double datum : {0.45, 1.0, -2.5, 60.0}) {
     surface.datum = datum * surface.half_width;

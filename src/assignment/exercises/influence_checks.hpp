@@ -5,33 +5,32 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "assignment/exercises/displacement_checks.hpp"
-#include "assignment/exercises/influence.hpp"
 #include "assignment/given/bodies.hpp"
-#include "assignment/given/task.hpp"
 
 namespace assignment::influence {
 
-inline Task task() {
-  return {"influence", "E* c datum k₁ k₂ …", "A_k for each whole number k", 4,
-          [](const Numbers& in) {
-            return for_each_from(3, in, [&](double k, Numbers& out) {
-              const int distance = static_cast<int>(std::lround(k));
-              out.push_back(exercise::influence_coefficient(in[0], in[1], in[2], distance));
-            });
-          }};
+inline constexpr const char* task = "influence";
+
+/// Returns A_k for each whole number k. The inputs are E* c datum k₁ k₂ …
+inline Numbers answer(const Numbers& in) {
+  return for_each_from(3, in, [&](double k, Numbers& out) {
+    const int distance = static_cast<int>(std::lround(k));
+    out.push_back(exercise::influence_coefficient(in[0], in[1], in[2], distance));
+  });
 }
 
 /// Asks for u_z1 + u_z2 at k spacings from a triangle of pressure 1, for each whole number k.
 inline Numbers ask(const Program& program, double contact_modulus, double spacing, double datum,
                    const Numbers& k) {
   const Numbers inputs = joined({contact_modulus, spacing, datum}, k);
-  return judge::answer_of(program, "influence", inputs, k.size());
+  return judge::answer_of(program, task, inputs, k.size());
 }
 
-inline Outcome influence_has_the_shape(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+inline Outcome influence_has_the_shape(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double datum = 40 * c.spacing;
   const Numbers u = ask(program, c.contact_modulus(), c.spacing, datum,
                         {0, 1, 2, 3, 7, -1, -7, 40, 100, 200, 400});
@@ -47,8 +46,8 @@ inline Outcome influence_has_the_shape(const Program& program, const OwnNumbers&
   return tally.outcome();
 }
 
-inline Outcome influence_refines(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+inline Outcome influence_refines(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double modulus = c.contact_modulus();
   const Numbers k = {0, 1, 2, 3, 4, 5};
   const Numbers large = ask(program, modulus, 2 * c.spacing, c.datum, k);
@@ -71,8 +70,8 @@ inline Outcome influence_refines(const Program& program, const OwnNumbers& own) 
   return tally.outcome();
 }
 
-inline Outcome influence_is_displacement(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+inline Outcome influence_is_displacement(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double modulus = c.contact_modulus();
   const Numbers k = {0, 1, 2, 7, 30};
   const Numbers coefficients = ask(program, modulus, c.spacing, c.datum, k);

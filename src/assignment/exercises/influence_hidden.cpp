@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "assignment/exercises/influence_checks.hpp"
 #include "assignment/hidden/reference.hpp"
@@ -21,14 +22,14 @@ Outcome compare(const char* property, const Program& program, const Cylinders& c
   return tally.outcome();
 }
 
-Outcome influence_is_right(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+Outcome influence_is_right(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   return compare("the coefficients are right to nine digits", program, c, c.datum,
                  {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
 }
 
-Outcome influence_keeps_digits(const Program& program, const OwnNumbers& own) {
-  const Cylinders c = cylinders_of(own);
+Outcome influence_keeps_digits(const Program& program, const std::string& id) {
+  const Cylinders c = cylinders_of(id);
   const double datum = 2 * c.spacing;  // near, so that T(datum/c) does not hide errors of T(k)
   return compare("the coefficients far away are right to nine digits", program, c, datum,
                  {30, 300, 3e3, -3e4, 1e5});

@@ -4,13 +4,10 @@
 #pragma once
 
 #include <cstddef>
-#include <iterator>
+#include <string>
 
 #include "assignment/exercises/closed_form_checks.hpp"
-#include "assignment/exercises/quadrature.hpp"
 #include "assignment/given/bodies.hpp"
-#include "assignment/given/shapes.hpp"
-#include "assignment/given/task.hpp"
 
 namespace assignment::quadrature {
 
@@ -21,18 +18,19 @@ inline constexpr double agreement = 1e-7;
 inline constexpr double most_reported = 1e-6;
 
 /// The abscissas x/a of the public checks.
-inline constexpr double points[] = {0.15, -0.5, 0.95, 1.05, 3};
+inline const Numbers points = {0.15, -0.5, 0.95, 1.05, 3};
 
-inline Task task() {
-  return {"gradient_by_quadrature", "E ν S p₀ a x₁ x₂ …", "value and abs_error at each x, eq. (2)",
-          6, [](const Numbers& in) {
-            const exercise::Load load = load_of(in[2], in[3], in[4]);
-            return for_each_from(5, in, [&](double x, Numbers& out) {
-              const auto found = exercise::normal_gradient_by_quadrature({in[0], in[1]}, load, x);
-              out.push_back(found.value);
-              out.push_back(found.abs_error);
-            });
-          }};
+inline constexpr const char* task = "gradient_by_quadrature";
+
+/// Returns value and abs_error at each x, eq. (2). The inputs are E ν S p₀ a x₁ x₂ …, where S is
+/// the number of a pressure.
+inline Numbers answer(const Numbers& in) {
+  const exercise::Load load = load_of(in.at(2), in.at(3), in.at(4));
+  return for_each_from(5, in, [&](double x, Numbers& out) {
+    const auto found = exercise::normal_gradient_by_quadrature({in[0], in[1]}, load, x);
+    out.push_back(found.value);
+    out.push_back(found.abs_error);
+  });
 }
 
 /// The program's answer: ∂u_z/∂x by eq. (2) at each x, and its error bound.
@@ -43,7 +41,7 @@ struct Answer {
 
 inline Answer ask(const Program& program, const Surface& s, const Numbers& x) {
   const Numbers inputs = joined({s.young, s.poisson, s.shape, s.peak_pressure, s.half_width}, x);
-  const Numbers pairs = judge::answer_of(program, "gradient_by_quadrature", inputs, 2 * x.size());
+  const Numbers pairs = judge::answer_of(program, task, inputs, 2 * x.size());
   Answer found;
   for (std::size_t i = 0; i < pairs.size(); i += 2) {
     found.value.push_back(pairs[i]);
@@ -52,9 +50,9 @@ inline Answer ask(const Program& program, const Surface& s, const Numbers& x) {
   return found;
 }
 
-inline Outcome quadrature_agrees(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
-  const Numbers x = times(surface.half_width, Numbers(std::begin(points), std::end(points)));
+inline Outcome quadrature_agrees(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
+  const Numbers x = times(surface.half_width, points);
   const Numbers g = closed_form::ask(program, surface, x);
   const Numbers q = ask(program, surface, x).value;
 
@@ -65,9 +63,9 @@ inline Outcome quadrature_agrees(const Program& program, const OwnNumbers& own) 
   return tally.outcome();
 }
 
-inline Outcome quadrature_error_covers(const Program& program, const OwnNumbers& own) {
-  const Surface surface = surface_of(own);
-  const Numbers x = times(surface.half_width, Numbers(std::begin(points), std::end(points)));
+inline Outcome quadrature_error_covers(const Program& program, const std::string& id) {
+  const Surface surface = surface_of(id);
+  const Numbers x = times(surface.half_width, points);
   const Numbers g = closed_form::ask(program, surface, x);
   const Answer q = ask(program, surface, x);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "assignment/exercises/quadrature_checks.hpp"
 #include "assignment/hidden/reference.hpp"
-#include "assignment/hidden/waves.hpp"
 
 namespace assignment::quadrature {
 namespace {
@@ -19,13 +19,13 @@ double greatest_slope(const Surface& surface) {
   return greatest(values);
 }
 
-Outcome quadrature_is_right(const Program& program, const OwnNumbers& own) {
+Outcome quadrature_is_right(const Program& program, const std::string& id) {
   // The triangle has only one place, because it has a closed form.
   const std::vector<Places> places = {{shape::triangle, {1}},
                                       {shape::smooth, {1e-3, 0.3, -0.9, 1, -1.8}},
                                       {shape::one_sided, {0, -0.6, -0.9999, -1, 1.0001, 5, -40}},
-                                      {waves(own), {0.1, -0.4, 0.8, -1.2}}};
-  Surface surface = surface_of(own);
+                                      {waves(id), {0.1, -0.4, 0.8, -1.2}}};
+  Surface surface = surface_of(id);
   Tally tally("the slope by eq. (2) is right to 1e-7 of the greatest");
   for (const auto& [shape, xi] : places) {
     surface.shape = shape;
@@ -52,12 +52,12 @@ bool are_all_the_same(const Numbers& errors) {
 // is not.
 constexpr double most_of_a_minimum = 1e-9;
 
-Outcome quadrature_is_honest(const Program& program, const OwnNumbers& own) {
+Outcome quadrature_is_honest(const Program& program, const std::string& id) {
   const std::vector<Places> places = {{shape::triangle, {0.77}},
                                       {shape::smooth, {0.05, -0.35, -0.98, 1.02, 2.5}},
                                       {shape::one_sided, {0.4, -0.7, 0.98, -1.02, -1.3, -12}},
-                                      {waves(own), {0.3, -0.6, 0.9, 1.1}}};
-  Surface surface = surface_of(own);
+                                      {waves(id), {0.3, -0.6, 0.9, 1.1}}};
+  Surface surface = surface_of(id);
   Tally tally(
       "the true slope is within the reported error, which is at most 1e-6 of the greatest slope");
   for (const auto& [shape, xi] : places) {

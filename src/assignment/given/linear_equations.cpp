@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assignment/given/linear_equations.hpp"
-
 #include <Eigen/LU>
+
+#include "assignment/given/student_functions.hpp"
 
 namespace exercise {
 
-std::vector<double> solve_linear_equations(const Matrix& matrix,
+std::vector<double> solve_linear_equations(const std::vector<std::vector<double>>& matrix,
                                            const std::vector<double>& right_side) {
   const auto n = static_cast<Eigen::Index>(matrix.size());
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
-      entries(matrix.entries().data(), n, n);
+  Eigen::MatrixXd entries(n, n);
+  for (Eigen::Index row = 0; row < n; ++row) {
+    entries.row(row) =
+        Eigen::Map<const Eigen::RowVectorXd>(matrix[static_cast<std::size_t>(row)].data(), n);
+  }
   const Eigen::VectorXd x =
       entries.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(right_side.data(), n));
   return {x.begin(), x.end()};

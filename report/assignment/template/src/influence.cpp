@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "assignment.hpp"
+#include "assignment/given/student_functions.hpp"
 
 namespace exercise {
 namespace {

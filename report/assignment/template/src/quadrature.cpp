@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "assignment.hpp"
+#include "assignment/given/student_functions.hpp"
 
 namespace exercise {
 namespace {

@@ -1,5 +1,5 @@
 #include "toy_checks.hpp"
 
 int main(int argc, char** argv) {
-  return judge::run(argc, argv, {toy::exercises, toy::numbers});
+  return judge::run(argc, argv, toy::exercises(), toy::numbers);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "judge/tally.hpp"
+#include "judge/check.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "messages.hpp"
 
-BOOST_AUTO_TEST_SUITE(tally_test)
+BOOST_AUTO_TEST_SUITE(check_test)
 
 using judge::Numbers;
 
@@ -34,8 +34,8 @@ BOOST_AUTO_TEST_CASE(an_answer_must_have_the_expected_number_of_numbers) {
 }
 
 BOOST_AUTO_TEST_CASE(nans_or_zeros_alone_are_no_answer) {
-  BOOST_TEST(error_for({nan, -infinity}, 2) == "task task: no number is finite");
-  BOOST_TEST(error_for({0, nan}, 2) == "task task: all finite numbers are zero");
+  BOOST_TEST(error_for({nan, -infinity}, 2) == "task task: no number is finite and not zero");
+  BOOST_TEST(error_for({0, nan}, 2) == "task task: no number is finite and not zero");
 }
 
 BOOST_AUTO_TEST_CASE(an_infinity_among_numbers_counts_as_nan) {
