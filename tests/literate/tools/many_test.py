@@ -96,12 +96,10 @@ class Cases(PaperTest):
         self.assertEqual((self.paper.folder / "elsewhere/own/small.pdf").read_bytes(), self.paper.pdf.read_bytes())
         self.assertEqual(self.paper.literate("case", str(self.paper.settings), "cases/d.toml", "elsewhere/d", "--numbers")[0], 1)
 
-    def test_bad_input_is_refused(self):
+    def test_a_missing_case_is_refused(self):
         self.make()
-        for arguments, message in [(["none.toml"], "none.toml: there is no such file"), (["case.toml", "cases/../case.toml"], "have the same name")]:
-            code, output = self.paper.literate("cases", str(self.paper.settings), *arguments)
-            self.assertEqual(code, 2)
-            self.assertIn(message, output)
+        for verb in (["cases", "none.toml"], ["case", "none.toml", "elsewhere"]):
+            self.assertEqual(self.paper.literate(verb[0], str(self.paper.settings), *verb[1:]), (2, "none.toml: there is no such file\n"))
 
     @unittest.skipUnless(shutil.which("snakemake"), "snakemake is not installed")
     def test_a_killed_snakemake_continues_and_computes_no_case_twice(self):

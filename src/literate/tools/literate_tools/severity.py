@@ -23,8 +23,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from literate_tools.common import Failure, configure, git, parser, quiet_run, write_if_changed
-from literate_tools.settings import Settings, read_results, read_settings
+from literate_tools.common import Failure, git, parser, quiet_run, write_if_changed
+from literate_tools.settings import Settings, configure, read_results, read_settings
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,8 @@ def run(arguments: list[str]) -> int:
     arguments_of.add_argument("--tests", metavar="COMMAND", help="runs them; $TEST is the last field of the line")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
-    file = given.faults or settings.faults
-    if not file:
+    file = given.faults or Path(settings.faults)
+    if not file.name:
         raise Failure("the paper has no FAULTS in literate_add_paper: give --faults")
     chosen = [fault for fault in read_faults(file) if given.only in (None, fault.id)]
     if not chosen:
