@@ -22,7 +22,4 @@ endif()
 add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
 # With CCACHE_BASEDIR, ccache compiles with paths relative to the build folder.
 file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${PROJECT_SOURCE_DIR}")
-string(REGEX REPLACE "/$" "" from_build "${from_build}")
-if(from_build)
-  add_compile_options("-fmacro-prefix-map=${from_build}/=")
-endif()
+add_compile_options("-fmacro-prefix-map=${from_build}=")
