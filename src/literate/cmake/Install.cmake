@@ -3,7 +3,6 @@
 # and everything else in share/literate. This folder has the layout of src/literate, so that LaTeX, CMake and the tools find
 # each other in both.
 include(GNUInstallDirs)
-include(CMakePackageConfigHelpers)
 set(headers "${CMAKE_INSTALL_INCLUDEDIR}/literate")
 set(share share/literate)
 
@@ -22,9 +21,6 @@ install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${heade
 
 install(EXPORT literate NAMESPACE literate:: FILE literateTargets.cmake DESTINATION "${share}/cmake")
 install(FILES document/results.schema.json results/document.schema.json DESTINATION "${share}")
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/literateConfigVersion.cmake"
-  VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES "${PROJECT_BINARY_DIR}/literateConfigVersion.cmake" DESTINATION "${share}/cmake")
 install(FILES README.md TUTORIAL.md DESTINATION share/doc/literate)
 install(DIRECTORY pictures DESTINATION share/doc/literate)
 # Files that are not compiled: the LaTeX package, the CMake functions, the tools and the template.
