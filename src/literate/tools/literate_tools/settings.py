@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The settings of a paper, a JSON file that CMake writes, and the results and the verdict of its program."""
 
+from __future__ import annotations
+
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-from literate_tools.common import Failure, quiet_run, warn
+from literate_tools.common import TYPE_CHECKING, Failure, quiet_run, warn
+
+if TYPE_CHECKING:
+    from typing import Any
 
 SCHEMA = 1
 PARTS = ("values", "flags", "tables", "figures", "checks", "claims")
