@@ -90,7 +90,26 @@ function(literate_add_paper)
     list(FILTER scripts EXCLUDE REGEX "/style\\.gp$")
     file(GLOB style CONFIGURE_DEPENDS "${paper_FIGURES}/style.gp")
   endif()
-  _literate_write_settings()
+
+  # The settings, the only file of CMake that the tools read: JSON with a text for each key, in which lists have a line for each word.
+  set(versions "CMake ${CMAKE_VERSION}" "compiler ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+  set(configure "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}")
+  if(literate_DIR)
+    list(APPEND configure "-Dliterate_DIR=${literate_DIR}")
+  endif()
+  set(json "{")
+  set(separator "")
+  foreach(pair IN ITEMS name=name source=CMAKE_SOURCE_DIR document=paper_DOCUMENT main=paper_MAIN case=paper_CASE output=output
+      build=CMAKE_BINARY_DIR faults=paper_FAULTS results_program=results_program program=paper_PROGRAM script=script
+      sources=paper_SOURCES scripts=scripts configure=configure versions=versions)
+    string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
+    string(REPLACE "\\" "\\\\" words "${${CMAKE_MATCH_2}}")
+    string(REPLACE "\"" "\\\"" words "${words}")
+    list(JOIN words "\\n" words)
+    string(APPEND json "${separator}\n \"${CMAKE_MATCH_1}\": \"${words}\"")
+    set(separator ",")
+  endforeach()
+  file(GENERATE OUTPUT "${settings}" CONTENT "${json}\n}\n")
 
   # Compute. Ninja must know the outputs that later rules read.
   set(results "${generated}/results.json" "${generated}/values.tex" "${generated}/ledger.tex")
@@ -132,25 +151,3 @@ function(literate_add_paper)
   add_custom_target(${name}-pdf DEPENDS "${stamp}")
   add_custom_target(${name} ALL DEPENDS "${output}/verdict.stamp")
 endfunction()
-
-# Writes the settings, the only file of CMake that the tools read: JSON with a text for each key, in which lists have a line for each word.
-macro(_literate_write_settings)
-  set(versions "CMake ${CMAKE_VERSION}" "compiler ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
-  set(configure "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}")
-  if(literate_DIR)
-    list(APPEND configure "-Dliterate_DIR=${literate_DIR}")
-  endif()
-  set(json "{")
-  set(separator "")
-  foreach(pair IN ITEMS name=name source=CMAKE_SOURCE_DIR document=paper_DOCUMENT main=paper_MAIN case=paper_CASE output=output
-      build=CMAKE_BINARY_DIR faults=paper_FAULTS results_program=results_program program=paper_PROGRAM script=script
-      sources=paper_SOURCES scripts=scripts configure=configure versions=versions)
-    string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
-    string(REPLACE "\\" "\\\\" words "${${CMAKE_MATCH_2}}")
-    string(REPLACE "\"" "\\\"" words "${words}")
-    list(JOIN words "\\n" words)
-    string(APPEND json "${separator}\n \"${CMAKE_MATCH_1}\": \"${words}\"")
-    set(separator ",")
-  endforeach()
-  file(GENERATE OUTPUT "${settings}" CONTENT "${json}\n}\n")
-endmacro()
