@@ -10,6 +10,5 @@ endif()
 include("${CMAKE_CURRENT_LIST_DIR}/literateDependencies.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/../../toolchain/cmake/Helpers.cmake")
 find_path(GNUPLOT_IOSTREAM_INCLUDE_DIR gnuplot-iostream.h REQUIRED)
-add_compile_options("-fmacro-prefix-map=${HALFSPACE_ROOT}/=") # makes the library independent of its folder
 
 include("${CMAKE_CURRENT_LIST_DIR}/../../toolchain/cmake/Libraries.cmake")

@@ -3,7 +3,6 @@
 # and everything else in share/literate. This folder has the layout of src/literate, so that LaTeX, CMake and the tools find
 # each other in both.
 include(GNUInstallDirs)
-include(CMakePackageConfigHelpers)
 set(headers "${CMAKE_INSTALL_INCLUDEDIR}/literate")
 set(share share/literate)
 
@@ -21,23 +20,11 @@ install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/" DESTINATION "${headers}/literat
 install(FILES "${HALFSPACE_ROOT}/src/numerics/estimate.hpp" DESTINATION "${headers}/numerics")
 
 install(EXPORT literate NAMESPACE literate:: FILE literateTargets.cmake DESTINATION "${share}/cmake")
-install(FILES cmake/literateDependencies.cmake DESTINATION "${share}/cmake")
 install(FILES document/results.schema.json DESTINATION "${share}")
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/literateConfigVersion.cmake"
-  VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES "${PROJECT_BINARY_DIR}/literateConfigVersion.cmake" DESTINATION "${share}/cmake")
 install(FILES README.md TUTORIAL.md DESTINATION share/doc/literate)
 install(DIRECTORY pictures DESTINATION share/doc/literate)
 # Files that are not compiled: the LaTeX package, the CMake functions, the tools and the template.
-foreach(file IN ITEMS literate.sty cmake/literateConfig.cmake cmake/LiteratePaper.cmake)
-  cmake_path(GET file PARENT_PATH folder)
-  if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
-    install(FILES ${file} DESTINATION "${share}/${folder}")
-  endif()
-endforeach()
-foreach(folder IN ITEMS tools python template page)
-  if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}")
-    install(DIRECTORY ${folder} DESTINATION "${share}" USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
-  endif()
-endforeach()
+install(FILES literate.sty DESTINATION "${share}")
+install(FILES cmake/literateConfig.cmake cmake/LiteratePaper.cmake cmake/literateDependencies.cmake DESTINATION "${share}/cmake")
+install(DIRECTORY tools python template page DESTINATION "${share}" USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 install(CODE "file(CREATE_LINK ../${share}/tools/literate \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/literate\" SYMBOLIC)")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # literate_add_paper(NAME name PROGRAM target|SCRIPT command… DOCUMENT folder MAIN file CASE file
-#   [FIGURES folder] [SOURCES file|folder…] [DEPENDS file…] [FAULTS file] [OUTPUT folder])
+#   [FIGURES folder] [SOURCES file|folder…] [DEPENDS file…] [FAULTS file])
 #
 # Adds the target `name`, which writes OUTPUT/name.pdf and fails if a claim fails, and targets that stop earlier: `name-program`,
 # `name-results`, `name-figures`, and `name-pdf`, which does not look at the claims. A script whose first word ends with .py runs
@@ -15,58 +15,51 @@ set(literate_PYTHON "${literate_PYTHON}" CACHE INTERNAL "Runs tools/literate and
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH literate_ENGINE)
 set(literate_ENGINE "${literate_ENGINE}" CACHE INTERNAL "The folder of literate.sty and tools/")
 
+# literate_relative_places(library) makes the places that programs register relative to their project.
+function(literate_relative_places library)
+  file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}") # as ccache may spell it
+  target_compile_options(${library} INTERFACE "$<BUILD_INTERFACE:-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=>"
+    "$<BUILD_INTERFACE:-fmacro-prefix-map=${from_build}=>")
+endfunction()
+
 function(literate_add_paper)
-  # Policy CMP0116 makes CMake rewrite the depfile with absolute paths, and Ninja cannot read a path with a quote. So the policy
-  # stays unset, except in a subdirectory, where CMake would warn.
-  if(CMAKE_CURRENT_BINARY_DIR STREQUAL CMAKE_BINARY_DIR)
-    cmake_policy(VERSION 3.19)
-    set(depfile_base "${CMAKE_BINARY_DIR}")
-  else()
-    cmake_policy(SET CMP0116 NEW)
-    set(depfile_base "")
-  endif()
-  set(one NAME PROGRAM DOCUMENT MAIN CASE FIGURES FAULTS OUTPUT)
+  # The new policy makes CMake rewrite the depfile with absolute paths, and Ninja cannot read a path with a quote.
+  cmake_policy(SET CMP0116 OLD)
+  set(one NAME PROGRAM DOCUMENT MAIN CASE FIGURES FAULTS)
   cmake_parse_arguments(PARSE_ARGV 0 paper "" "${one}" "SCRIPT;SOURCES;DEPENDS")
   if(paper_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "literate_add_paper: unknown arguments: ${paper_UNPARSED_ARGUMENTS}")
   endif()
-  foreach(key IN ITEMS NAME DOCUMENT MAIN CASE)
-    if(NOT paper_${key})
-      message(FATAL_ERROR "literate_add_paper: ${key} is missing")
-    endif()
-  endforeach()
-  if((paper_PROGRAM AND paper_SCRIPT) OR NOT (paper_PROGRAM OR paper_SCRIPT))
-    message(FATAL_ERROR "literate_add_paper(NAME ${paper_NAME}): give either PROGRAM or SCRIPT")
+  if(NOT (paper_NAME AND paper_DOCUMENT AND paper_MAIN AND paper_CASE AND (paper_PROGRAM OR paper_SCRIPT)))
+    message(FATAL_ERROR "literate_add_paper needs NAME, DOCUMENT, MAIN, CASE, and either PROGRAM or SCRIPT")
   endif()
 
   set(name "${paper_NAME}")
-  foreach(key IN ITEMS CASE OUTPUT) # -Dmypaper_CASE=other.toml
-    if(DEFINED ${name}_${key})
-      set(paper_${key} "${${name}_${key}}")
-    endif()
-  endforeach()
-  if(NOT paper_OUTPUT)
-    set(paper_OUTPUT "${CMAKE_BINARY_DIR}/${name}")
+  set(paper_OUTPUT "${CMAKE_BINARY_DIR}/${name}")
+  if(DEFINED ${name}_OUTPUT) # -Dmypaper_OUTPUT=folder
+    set(paper_OUTPUT "${${name}_OUTPUT}")
   endif()
   foreach(key IN ITEMS DOCUMENT CASE FIGURES FAULTS OUTPUT SOURCES DEPENDS)
-    _literate_absolute(paper_${key})
+    set(absolute "")
+    foreach(path IN LISTS paper_${key})
+      cmake_path(ABSOLUTE_PATH path BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+      string(REGEX REPLACE "/$" "" path "${path}")
+      list(APPEND absolute "${path}")
+    endforeach()
+    set(paper_${key} "${absolute}")
   endforeach()
   set(output "${paper_OUTPUT}")
   set(generated "${output}/generated")
   set(settings "${output}.json")
   set(literate "${literate_PYTHON}" -S "${literate_ENGINE}/tools/literate")
 
-  _literate_relative_places()
-
   # The computation: a program, or a script and literate-results, which reads its file.
-  if(TARGET "${paper_PROGRAM}")
-    set(paper_PROGRAM "$<TARGET_FILE:${paper_PROGRAM}>")
-  endif()
-  if(TARGET literate-results)
-    set(results_program "$<TARGET_FILE:literate-results>")
-  else()
-    set(results_program "${literate_RESULTS}")
-  endif()
+  set(results_program "${literate_RESULTS}")
+  foreach(program IN ITEMS results_program paper_PROGRAM)
+    if(TARGET "${${program}}")
+      set(${program} "$<TARGET_FILE:${${program}}>")
+    endif()
+  endforeach()
   if(paper_SCRIPT)
     set(computes "${results_program}")
     if(paper_SCRIPT MATCHES "^[^;]*\\.py(;|$)")
@@ -97,7 +90,26 @@ function(literate_add_paper)
     list(FILTER scripts EXCLUDE REGEX "/style\\.gp$")
     file(GLOB style CONFIGURE_DEPENDS "${paper_FIGURES}/style.gp")
   endif()
-  _literate_write_settings()
+
+  # The settings, the only file of CMake that the tools read: JSON with a text for each key, in which lists have a line for each word.
+  set(versions "CMake ${CMAKE_VERSION}" "compiler ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+  set(configure "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}")
+  if(literate_DIR)
+    list(APPEND configure "-Dliterate_DIR=${literate_DIR}")
+  endif()
+  set(json "{")
+  set(separator "")
+  foreach(pair IN ITEMS name=name source=CMAKE_SOURCE_DIR document=paper_DOCUMENT main=paper_MAIN case=paper_CASE output=output
+      build=CMAKE_BINARY_DIR faults=paper_FAULTS results_program=results_program program=paper_PROGRAM script=script
+      sources=paper_SOURCES scripts=scripts configure=configure versions=versions)
+    string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
+    string(REPLACE "\\" "\\\\" words "${${CMAKE_MATCH_2}}")
+    string(REPLACE "\"" "\\\"" words "${words}")
+    list(JOIN words "\\n" words)
+    string(APPEND json "${separator}\n \"${CMAKE_MATCH_1}\": \"${words}\"")
+    set(separator ",")
+  endforeach()
+  file(GENERATE OUTPUT "${settings}" CONTENT "${json}\n}\n")
 
   # Compute. Ninja must know the outputs that later rules read.
   set(results "${generated}/results.json" "${generated}/values.tex" "${generated}/ledger.tex")
@@ -123,11 +135,9 @@ function(literate_add_paper)
 
   # Typeset. Ninja removes the outputs of an interrupted rule. The output is a stamp, so that the PDF stays.
   set(stamp "${output}/typeset.stamp")
-  file(GLOB tools "${literate_ENGINE}/tools/literate_tools/*.py")
-  list(FILTER tools INCLUDE REGEX "/(typeset|latex_log|manifest|settings|common)\\.py$")
   add_custom_command(OUTPUT "${stamp}"
     COMMAND ${literate} typeset "${settings}" "${stamp}" "${stamp}.d"
-    DEPENDS "${settings}" ${results} ${drawings} "${generated}/repository.tex" ${tools}
+    DEPENDS "${settings}" ${results} ${drawings} "${generated}/repository.tex"
     DEPFILE "${stamp}.d"
     COMMENT "typeset ${name}" VERBATIM)
   add_custom_command(OUTPUT "${output}/verdict.stamp"
@@ -140,76 +150,4 @@ function(literate_add_paper)
   add_custom_target(${name}-figures DEPENDS ${results} ${drawings})
   add_custom_target(${name}-pdf DEPENDS "${stamp}")
   add_custom_target(${name} ALL DEPENDS "${output}/verdict.stamp")
-endfunction()
-
-# Makes the places that programs register relative to the project.
-function(_literate_relative_places)
-  if(TARGET literate::literate)
-    get_target_property(library literate::literate ALIASED_TARGET)
-    if(NOT library)
-      set(library literate::literate)
-    endif()
-    file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}") # as ccache may spell it
-    string(REGEX REPLACE "/$" "" from_build "${from_build}")
-    foreach(prefix IN ITEMS "${CMAKE_SOURCE_DIR}" "${from_build}")
-      set(option "$<BUILD_INTERFACE:-fmacro-prefix-map=${prefix}/=>")
-      get_target_property(options ${library} INTERFACE_COMPILE_OPTIONS)
-      if(NOT option IN_LIST options)
-        set_property(TARGET ${library} APPEND PROPERTY INTERFACE_COMPILE_OPTIONS "${option}")
-      endif()
-    endforeach()
-  endif()
-endfunction()
-
-# Makes the paths of a list absolute.
-macro(_literate_absolute variable)
-  set(absolute "")
-  foreach(path IN LISTS ${variable})
-    cmake_path(ABSOLUTE_PATH path BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
-    string(REGEX REPLACE "/$" "" path "${path}")
-    list(APPEND absolute "${path}")
-  endforeach()
-  set(${variable} "${absolute}")
-endmacro()
-
-# Writes the settings, the only file of CMake that the tools read.
-macro(_literate_write_settings)
-  set(json "{\"versions\": {}}")
-  foreach(pair IN ITEMS "CMake;${CMAKE_VERSION}" "compiler;${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
-    list(GET pair 0 key)
-    list(GET pair 1 value)
-    string(JSON json SET "${json}" versions "${key}" "\"${value}\"")
-  endforeach()
-  set(configure "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}")
-  if(literate_DIR)
-    list(APPEND configure "-Dliterate_DIR=${literate_DIR}")
-  endif()
-  foreach(pair IN ITEMS name=name source=CMAKE_SOURCE_DIR document=paper_DOCUMENT main=paper_MAIN case=paper_CASE output=output
-      build=CMAKE_BINARY_DIR depfile_base=depfile_base faults=paper_FAULTS results_program=results_program)
-    string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
-    set(key "${CMAKE_MATCH_1}")
-    _literate_json(value "${${CMAKE_MATCH_2}}")
-    string(JSON json SET "${json}" "${key}" "${value}")
-  endforeach()
-  foreach(pair IN ITEMS program=paper_PROGRAM script=script sources=paper_SOURCES scripts=scripts configure=configure)
-    string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
-    set(key "${CMAKE_MATCH_1}")
-    set(words "${${CMAKE_MATCH_2}}")
-    set(array "[]")
-    set(index 0)
-    foreach(word IN LISTS words)
-      _literate_json(value "${word}")
-      string(JSON array SET "${array}" ${index} "${value}")
-      math(EXPR index "${index} + 1")
-    endforeach()
-    string(JSON json SET "${json}" "${key}" "${array}")
-  endforeach()
-  file(GENERATE OUTPUT "${settings}" CONTENT "${json}\n")
-endmacro()
-
-# Converts a text to a JSON string.
-function(_literate_json variable text)
-  string(REPLACE "\\" "\\\\" text "${text}")
-  string(REPLACE "\"" "\\\"" text "${text}")
-  set(${variable} "\"${text}\"" PARENT_SCOPE)
 endfunction()

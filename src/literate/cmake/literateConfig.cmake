@@ -9,6 +9,7 @@ if(EXISTS "${CMAKE_CURRENT_LIST_DIR}/literateTargets.cmake")
   if("CXX" IN_LIST literate_LANGUAGES) # a script needs neither compiler nor libraries
     include("${CMAKE_CURRENT_LIST_DIR}/literateDependencies.cmake")
     include("${CMAKE_CURRENT_LIST_DIR}/literateTargets.cmake")
+    literate_relative_places(literate::literate)
   endif()
 else()
   enable_language(CXX)

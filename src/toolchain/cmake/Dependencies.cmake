@@ -1,62 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Finds the libraries that the project needs. Versions are the oldest that were tested. One error lists all missing libraries
-# and the command that installs them; src/toolchain/packages.txt lists their Debian packages.
-set(missing_libraries "")
+# Finds the libraries that the project needs. src/toolchain/packages.txt has their Debian packages and the oldest versions that were
+# tested; 'make setup TARGET' installs what a target of make needs.
+include("${CMAKE_CURRENT_LIST_DIR}/../../literate/cmake/literateDependencies.cmake")
+find_package(CLI11 REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(GSL REQUIRED)
 
-# need_package(library version package [argument …]) calls find_package, but without the version, because many packages accept
-# only the latest major version.
-macro(need_package library version package)
-  find_package(${package} ${ARGN} QUIET)
-  if(NOT ${package}_FOUND)
-    string(APPEND missing_libraries "\n  ${library} ${version} or newer")
-  elseif(${package}_VERSION AND ${package}_VERSION VERSION_LESS ${version})
-    string(APPEND missing_libraries "\n  ${library} ${version} or newer: found ${${package}_VERSION}")
-  endif()
-endmacro()
+# Libraries without a CMake package
+find_path(GNUPLOT_IOSTREAM_INCLUDE_DIR gnuplot-iostream.h REQUIRED)
+find_library(FFTW3_LIBRARIES fftw3 REQUIRED)
+find_path(MUPARSER_INCLUDE_DIR muParser.h REQUIRED)
+find_library(MUPARSER_LIBRARIES muparser REQUIRED)
 
-# need_files(library NAME header file …) finds a library without a CMake package, whose version is unknown. NAME_INCLUDE_DIR is
-# the folder of the header, NAME_LIBRARIES are the files of the library.
-macro(need_files library NAME header)
-  find_path(${NAME}_INCLUDE_DIR ${header})
-  set(${NAME}_LIBRARIES "")
-  set(lacks "")
-  if(NOT ${NAME}_INCLUDE_DIR)
-    set(lacks ": no header ${header}")
-  endif()
-  foreach(file IN ITEMS ${ARGN})
-    find_library(${NAME}_${file}_LIBRARY ${file})
-    list(APPEND ${NAME}_LIBRARIES "${${NAME}_${file}_LIBRARY}")
-    if(NOT lacks AND NOT ${NAME}_${file}_LIBRARY)
-      set(lacks ": no library ${file}")
-    endif()
-  endforeach()
-  if(lacks)
-    string(APPEND missing_libraries "\n  ${library}${lacks}")
-  endif()
-endmacro()
-
-need_package("Boost with Filesystem and Iostreams" 1.74 Boost CONFIG COMPONENTS filesystem iostreams)
-need_package(toml++ 3.3 tomlplusplus)
-need_package(CLI11 2.1 CLI11)
-need_package({fmt} 9 fmt)
-need_package(nlohmann-json 3.11 nlohmann_json)
-need_package(Eigen 3.4 Eigen3 NO_MODULE)
-need_package(GSL 2.7 GSL)
-find_package(Threads REQUIRED)
-need_files("UDUNITS 2.2 or newer" UDUNITS2 udunits2.h udunits2)
-need_files(gnuplot-iostream GNUPLOT_IOSTREAM gnuplot-iostream.h)
-need_files("FFTW 3.3 or newer" FFTW3 fftw3.h fftw3)
-need_files("muParser 2.3 or newer" MUPARSER muParser.h muparser)
 if(BUILD_TESTING)
-  need_package("Boost with Boost.Test" 1.74 Boost CONFIG COMPONENTS unit_test_framework)
-  need_files("MPFR C++ 3.6 or newer, with MPFR and GMP" MPREAL mpreal.h mpfr gmp)
+  find_package(Boost REQUIRED CONFIG COMPONENTS unit_test_framework)
+  find_path(MPREAL_INCLUDE_DIR mpreal.h REQUIRED)
+  set(MPREAL_LIBRARIES mpfr gmp)
 endif()
 if(HALFSPACE_BENCHMARKS)
-  need_package("Google Benchmark" 1.7 benchmark)
+  find_package(benchmark REQUIRED)
 endif()
-if(missing_libraries)
-  message(FATAL_ERROR "These libraries are missing:${missing_libraries}\n'make setup TARGET' installs what a target of make needs.")
-endif()
-add_library(udunits2::udunits2 UNKNOWN IMPORTED)
-set_target_properties(udunits2::udunits2 PROPERTIES
-  IMPORTED_LOCATION "${UDUNITS2_LIBRARIES}" INTERFACE_INCLUDE_DIRECTORIES "${UDUNITS2_INCLUDE_DIR}")

@@ -1,12 +1,39 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# The repository, even if a different project includes it.
+cmake_path(SET HALFSPACE_ROOT NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../../..")
+string(REGEX REPLACE "/$" "" HALFSPACE_ROOT "${HALFSPACE_ROOT}")
+
+# File names inside the program (assert, std::source_location) are relative to the checkout, so that programs and messages do not
+# depend on the build folder.
+add_compile_options("-fmacro-prefix-map=${HALFSPACE_ROOT}/=")
+# With CCACHE_BASEDIR, ccache compiles with paths relative to the build folder.
+file(RELATIVE_PATH from_build "${CMAKE_BINARY_DIR}" "${HALFSPACE_ROOT}")
+add_compile_options("-fmacro-prefix-map=${from_build}=")
+
 # Let g++ collect garbage only beyond half a gigabyte. By default it does so ten times per file, which takes 8 % of the time.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-heapsize=524288)
 endif()
 
-# The repository, even if a different project includes it.
-cmake_path(SET HALFSPACE_ROOT NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../../..")
-string(REGEX REPLACE "/$" "" HALFSPACE_ROOT "${HALFSPACE_ROOT}")
+# One INTERFACE target with all warning flags and their reasons. -Wnull-dereference is left out because, at -O3, g++ 12 reports
+# it inside the streambuf iterators of libstdc++.
+if(HALFSPACE_EVERYTHING)
+  add_library(project_warnings INTERFACE)
+  target_compile_options(project_warnings INTERFACE
+    -Wall -Wextra -Wpedantic   # basic warnings
+    -Wshadow                   # a hidden x or a in a formula is a wrong formula
+    -Wconversion               # a double converted to an int loses digits
+    -Wsign-conversion          # index arithmetic near zero
+    $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # an accidental float; not for clang, which warns of the C library's NAN
+    -Wfloat-conversion         # silently lost digits
+    -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual)
+
+  # Warnings are errors only with the compiler of Debian 12. New warnings of a newer g++ must not prevent a reader from building
+  # the report.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.")
+    target_compile_options(project_warnings INTERFACE -Werror)
+  endif()
+endif()
 
 # add_precompiled_headers() compiles the headers that nearly every file includes once instead of 200 times, which saves a third of
 # the compile time. Files still include what they use; the preset tidy verifies this by CMAKE_DISABLE_PRECOMPILE_HEADERS. There
@@ -16,8 +43,9 @@ function(add_precompiled_headers)
     <fmt/core.h>
     <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map> <memory> <numbers> <optional> <set>
     <stdexcept> <string> <utility> <vector>)
+  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "// Libraries of headers need a source.\n")
   foreach(target IN ITEMS precompiled precompiled_text)
-    add_library(${target} STATIC "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/precompiled.cpp")
+    add_library(${target} STATIC "${PROJECT_BINARY_DIR}/precompiled.cpp")
     target_link_libraries(${target} PUBLIC Eigen3::Eigen fmt::fmt PRIVATE project_warnings)
     add_sanitizers(${target})
   endforeach()
@@ -51,12 +79,7 @@ function(export_headers target folder)
     file(MAKE_DIRECTORY "${exported}")
     file(CREATE_LINK "${source}" "${exported}/${folder}" SYMBOLIC)
   endif()
-  get_target_property(type ${target} TYPE)
-  set(scope PUBLIC)
-  if(type STREQUAL INTERFACE_LIBRARY)
-    set(scope INTERFACE)
-  endif()
-  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${exported}>")
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${exported}>")
 endfunction()
 
 # add_folder_library(name [FOLDER folder] [HEADERS …] [ROOMS …] [NO_HEAVY_COMPUTING] SOURCES … LINK … PRIVATE_LINK …) adds the
@@ -134,7 +157,7 @@ endfunction()
 
 # precompile_tests(target COMPUTES|"") compiles the headers that every test includes only once.
 function(precompile_tests target computes)
-  add_library(${target} STATIC "${PROJECT_SOURCE_DIR}/src/toolchain/cmake/precompiled.cpp")
+  add_library(${target} STATIC "${PROJECT_BINARY_DIR}/precompiled.cpp")
   target_precompile_headers(${target} PRIVATE
     <Eigen/Core> <boost/test/unit_test.hpp> <fmt/core.h>
     <algorithm> <cmath> <filesystem> <functional> <limits> <map> <numbers> <set> <string> <vector>)
@@ -149,9 +172,6 @@ function(add_test_program target)
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main)
   target_compile_definitions(${target} PRIVATE ${arg_DEFINE})
-  if(NOT HALFSPACE_EVERYTHING)
-    return()
-  endif()
   set(precompiled precompiled_tests)
   set(computes "")
   if(arg_COMPUTES)
@@ -163,49 +183,37 @@ function(add_test_program target)
   target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
-# add_unit_tests(folder [COMPUTES] LINK library … [DEFINE macro …] [SOURCES file …] [NAMES name …] [SLOW name seconds …]) adds the
+# add_unit_tests(folder [COMPUTES] LINK library … [DEFINE macro …] [SOURCES file …] NAMES name … [SLOW name seconds …]) adds the
 # tests of one folder. Each file tests/folder/name_test.cpp is one CTest test, unit/folder/name, which runs the suite name_test.
-# All files in NAMES form one program, because each program takes three seconds to build; `make test` and the sanitizers run them.
-# The files in SLOW form a second program, folder_slow_tests. Only `make test-all` runs them, as slow/folder/name; it starts the
-# longest first. Both programs contain SOURCES.
+# All files form one program, because each program takes three seconds to build; `make test` and the sanitizers run NAMES. Only
+# `make test-all` runs the tests in SLOW, as slow/folder/name; it starts the longest first.
 function(add_unit_tests folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COMPUTES" "" "LINK;DEFINE;SOURCES;NAMES;SLOW")
-  set(options LINK ${arg_LINK} DEFINE ${arg_DEFINE})
-  if(arg_COMPUTES)
-    list(PREPEND options COMPUTES)
-  endif()
-  if(arg_NAMES)
-    set(sources ${arg_NAMES})
-    list(TRANSFORM sources REPLACE "(.+)" "${HALFSPACE_ROOT}/tests/${folder}/\\1_test.cpp")
-    add_test_program(${folder}_tests SOURCES ${sources} ${arg_SOURCES} ${options})
-  endif()
+  set(sources ${arg_NAMES})
   foreach(name IN LISTS arg_NAMES)
     cmake_path(GET name FILENAME suite)
     add_test(NAME unit/${folder}/${name} COMMAND ${folder}_tests --run_test=${suite}_test --color_output=no)
     label_test(unit/${folder}/${name} unit TARGET ${folder}_tests)
   endforeach()
-  set(sources "")
   while(arg_SLOW)
     list(POP_FRONT arg_SLOW name seconds)
-    cmake_path(GET name FILENAME suite)
-    add_test(NAME slow/${folder}/${name} COMMAND ${folder}_slow_tests --run_test=${suite}_test --color_output=no)
+    add_test(NAME slow/${folder}/${name} COMMAND ${folder}_tests --run_test=${name}_test --color_output=no)
     label_test(slow/${folder}/${name} slow COST ${seconds})
-    list(APPEND sources "${HALFSPACE_ROOT}/tests/${folder}/${name}_test.cpp")
+    list(APPEND sources ${name})
   endwhile()
-  if(sources)
-    add_test_program(${folder}_slow_tests SOURCES ${sources} ${arg_SOURCES} ${options})
+  list(TRANSFORM sources REPLACE "(.+)" "${HALFSPACE_ROOT}/tests/${folder}/\\1_test.cpp")
+  set(computes "")
+  if(arg_COMPUTES)
+    set(computes COMPUTES)
   endif()
+  add_test_program(${folder}_tests ${computes} SOURCES ${sources} ${arg_SOURCES} LINK ${arg_LINK} DEFINE ${arg_DEFINE})
 endfunction()
 
-# add_script_test(test file [TARGET program] [COST seconds] [ARGS argument …]) adds a test that is a script. Its arguments are the
+# add_script_test(test file [TARGET program] [COST seconds] [ARGS argument …]) adds a test that is a Python script. Its arguments are the
 # repository and then ARGS. Exit code 77 means skipped. The name of the test begins with its label.
 function(add_script_test test file)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "TARGET;COST;ARGS")
-  set(interpreter bash)
-  if(file MATCHES "[.]py$")
-    set(interpreter python3 -B)
-  endif()
-  add_test(NAME ${test} COMMAND ${interpreter} "${CMAKE_CURRENT_SOURCE_DIR}/${file}" "${HALFSPACE_ROOT}" ${arg_ARGS})
+  add_test(NAME ${test} COMMAND python3 -B "${CMAKE_CURRENT_SOURCE_DIR}/${file}" "${HALFSPACE_ROOT}" ${arg_ARGS})
   set_tests_properties(${test} PROPERTIES SKIP_RETURN_CODE 77)
   string(REGEX REPLACE "/.*" "" label "${test}")
   label_test(${test} ${label} TARGET ${arg_TARGET} COST ${arg_COST})

@@ -72,8 +72,8 @@ class Paper:
         self.write(kind + ".tex", MAIN % CLASSES[kind])
         self.settings.write_text(json.dumps({
             "name": kind, "source": str(folder), "document": str(folder), "main": f"{kind}.tex", "case": str(folder / "case.toml"),
-            "output": str(self.output), "build": str(folder / "build"), "results_program": "", "sources": [],
-            "scripts": [str(folder / "period.gp")]}))
+            "output": str(self.output), "build": str(folder / "build"), "scripts": str(folder / "period.gp")}
+            | dict.fromkeys(("faults", "results_program", "program", "script", "sources", "configure", "versions"), "")))
         self.draw('plot periods using "angle":"integral" with lines title "$T$"')
 
     def write(self, name, content):

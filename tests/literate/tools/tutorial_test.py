@@ -77,7 +77,7 @@ class Tutorial(unittest.TestCase):
         reader = Reader(self.base / home, self)
         if new:
             reader.run_all(f"$ literate new {' '.join(new)}\n{new[-1]}: cd there and run make; README.md describes the files\n"
-                           f"$ cd {new[-1]}\n$ rm -r src/* tests cases faults.txt figures/period.gp\n")
+                           f"$ cd {new[-1]}\n$ rm -r src/* cases faults.txt figures/period.gp\n")
         return reader
 
     def test_the_tutorial_prints_what_it_shows(self):

@@ -10,6 +10,7 @@ examples:
 import re
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 from literate_tools.common import parser, tool
@@ -32,11 +33,11 @@ def run(arguments: list[str]) -> int:
         return cmake.returncode
     # Rules that print while they run, such as long computations, write to standard error.
     with subprocess.Popen([*ninja, *given.targets], stdout=subprocess.PIPE, text=True, errors="replace") as running:
-        show(running.stdout, sys.stdout.isatty())
+        show(running.stdout or (), sys.stdout.isatty())
     return running.returncode
 
 
-def show(lines, on_terminal: bool) -> None:
+def show(lines: Iterable[str], on_terminal: bool) -> None:
     """Prints Ninja's output line by line."""
     status, is_command = False, False
     for line in lines:

@@ -18,8 +18,8 @@ from dataclasses import astuple, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from literate_tools.common import Failure, configure, git, parser, quiet_run, write_bytes
-from literate_tools.settings import Settings, read_results, read_settings
+from literate_tools.common import Failure, git, parser, quiet_run, write_bytes
+from literate_tools.settings import Settings, configure, read_results, read_settings
 from literate_tools.uses import NAMED, read_uses
 
 ORDER = ("verdict", "beyond", "changed", "new", "gone", "limit", "within")

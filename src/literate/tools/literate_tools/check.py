@@ -4,7 +4,7 @@ branches that are not taken, undefined references, and with --paper, quotations 
 (which pdftotext can extract). Exits with 1 if there are findings.
 
 examples:
-  literate check                               the paper in build/
+  literate check build/mypaper.json
   literate check build/mypaper.json --paper ruggiero2001.txt
 """
 
@@ -24,7 +24,7 @@ SINGULAR = {"values": "value", "flags": "flag", "tables": "table", "figures": "f
 def run(arguments: list[str]) -> int:
     """Prints the findings; returns 1 if there are any."""
     arguments_of = parser("check", __doc__)
-    arguments_of.add_argument("settings", nargs="?", default="", help="the settings of the paper (the only ones in build/)")
+    arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
     arguments_of.add_argument("--paper", type=Path, metavar="TEXT", help="the quoted text")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)

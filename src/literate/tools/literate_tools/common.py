@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Helpers that several verbs share: failures, files, other programs."""
 
+from __future__ import annotations
+
 import os
 import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+TYPE_CHECKING = False  # Rules start faster without these modules.
+if TYPE_CHECKING:
+    from argparse import ArgumentParser
+    from typing import Any
 
 ENGINE = Path(__file__).resolve().parent.parent.parent  # with literate.sty, tools/, python/ and template/
 
@@ -92,7 +99,7 @@ def git(folder: Path, *arguments: str) -> str | None:
     return run.stdout.strip() if run.returncode == 0 else None
 
 
-def quiet_run(command: list[str], what: str, **options) -> None:
+def quiet_run(command: list[str], what: str, **options: Any) -> None:
     """Runs a long command, and prints its output only if it fails."""
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                          **options)
@@ -100,15 +107,9 @@ def quiet_run(command: list[str], what: str, **options) -> None:
         raise Failure(f"{run.stdout.rstrip()}\n{what} failed", 3)
 
 
-def configure(settings, source: Path, build: Path, output: Path, **options) -> None:
-    """Configures a copy of the project with the same engine and build type."""
-    quiet_run(["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", *settings.configure,
-               f"-D{settings.name}_OUTPUT={output}"], f"configuring {source}", **options)
-
-
-def parser(verb: str, docstring: str):
+def parser(verb: str, docstring: str | None) -> ArgumentParser:
     """Returns an argument parser whose help is the docstring of the verb's module, with the examples at the end."""
-    import argparse
-    what, _, examples = docstring.partition("\nexamples:")
-    return argparse.ArgumentParser(f"literate {verb}", description=what.strip(), epilog=f"examples:{examples}".rstrip(),
-                                   formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False)
+    from argparse import ArgumentParser, RawDescriptionHelpFormatter
+    what, _, examples = (docstring or "").partition("\nexamples:")
+    return ArgumentParser(f"literate {verb}", description=what.strip(), epilog=f"examples:{examples}".rstrip(),
+                          formatter_class=RawDescriptionHelpFormatter, allow_abbrev=False)

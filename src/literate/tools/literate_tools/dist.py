@@ -22,7 +22,7 @@ from literate_tools.typeset import MOST_RUNS, environment, recorded
 def run(arguments: list[str]) -> int:
     """Writes OUTPUT/NAME.tar.gz."""
     arguments_of = parser("dist", __doc__)
-    arguments_of.add_argument("settings", nargs="?", default="", help="the settings of the paper (the only ones in build/)")
+    arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
     settings = read_settings(arguments_of.parse_args(arguments).settings)
     data = packed(packed_files(settings))
     if typeset_elsewhere(settings, data) != settings.pdf.read_bytes():
@@ -43,9 +43,6 @@ def packed_files(settings: Settings) -> dict[str, Path]:
             files[str(path.relative_to(settings.document))] = path
         elif path.name == "literate.sty":
             files["literate.sty"] = path
-        elif path.is_relative_to(settings.source):
-            raise Failure(f"{settings.shown(path)}: LaTeX reads this file from outside {settings.shown(settings.document)}, "
-                          "so it cannot be packed")
     for name in ("values.csv", "claims.csv", "tables.csv"):  # which \attachdata reads
         files[f"generated/{name}"] = settings.generated / name
     bibliography = settings.latex / f"{settings.name}.bbl"

@@ -2,7 +2,11 @@
 """Converts the typeset paper into a web page, OUTPUT/NAME.html: one file that loads nothing else.
 
 LaTeXML reads the prose with page/literate.sty.ltxml in place of literate.sty. The PDF's .aux file gives the numbers of sections,
-equations, tables, figures and references. If the page would show a different number, the conversion fails.
+equations, tables, figures and references. If the page would show a different number, the conversion fails. The PDF must be up to
+date. Exits with 1 if a check or claim failed; the page is stamped then.
+
+examples:
+  literate html build/mypaper.json     writes build/mypaper/mypaper.html
 """
 
 import base64
@@ -10,22 +14,22 @@ import os
 import re
 import shutil
 import subprocess
+from collections.abc import Sequence
+from html import escape
 from pathlib import Path
 
-from literate_tools.common import ENGINE, Failure, tool, warn, write_bytes
+from literate_tools.common import ENGINE, Failure, parser, tool, write_bytes
 from literate_tools.manifest import manifest
-from literate_tools.settings import Settings, read_results, read_settings
+from literate_tools.settings import Settings, failures, read_settings
 from literate_tools.typeset import environment
 
 PAGE = ENGINE / "page"
-HELP = """usage: literate html [SETTINGS]
+SITE = """Fills OUTPUT/site, a folder that any web server can serve: the page, the PDF, data/ with all CSV files and results.json, and the
+FILEs, which the page links to.
 
-Converts the paper into a web page beside its PDF, which must be up to date. Without SETTINGS it takes the only paper in build/.
-
-  literate html build/mypaper.json     writes build/mypaper/mypaper.html
-
-Exit codes: 0 done, 1 done, but a check or claim failed, 2 the document cannot be converted, 3 a tool failed."""
-
+examples:
+  literate site build/mypaper.json CITATION.cff
+"""
 FONT = "latinmodern-math"
 LARGEST_SVG = 1_000_000  # bytes; a larger drawing, such as a map of colours, becomes a PNG
 MAGNIFIED = 1.3  # ratio of the text sizes of page and PDF
@@ -39,24 +43,44 @@ DRAWINGS = (r"\nofiles\makeatletter\AddToHook{begindocument/end}{"
 
 
 def run(arguments: list[str]) -> int:
-    """Writes the page: literate html [SETTINGS]."""
-    if arguments and arguments[0] in ("-h", "--help"):
-        print(HELP)
-        return 0
-    settings = read_settings(arguments[0] if arguments else "")
+    """Writes the page."""
+    arguments_of = parser("html", __doc__)
+    arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
+    settings = read_settings(arguments_of.parse_args(arguments).settings)
     page = settings.output / f"{settings.name}.html"
     page.unlink(missing_ok=True)
     write_bytes(page, make_page(settings).encode())
     return end(settings, page)
 
 
+def site(arguments: list[str]) -> int:
+    """Fills the folder."""
+    arguments_of = parser("site", SITE)
+    arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
+    arguments_of.add_argument("files", type=Path, nargs="*", metavar="FILE", help="other files for the readers")
+    given = arguments_of.parse_args(arguments)
+    settings = read_settings(given.settings)
+    folder, new = settings.output / "site", settings.output / "site.new"
+    for old in (folder, new):
+        shutil.rmtree(old, ignore_errors=True)
+    page = make_page(settings)
+    for file in [*settings.generated.rglob("*.csv"), settings.generated / "results.json"]:
+        copy = new / "data" / file.relative_to(settings.generated)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(file, copy)
+    for file in [settings.pdf, *given.files]:
+        shutil.copyfile(file, new / file.name)
+    names = [settings.pdf.name, "data/values.csv", "data/results.json", *(file.name for file in given.files)]
+    links = " ".join(f'<a href="{escape(name)}">{escape(Path(name).name)}</a>' for name in names)
+    (new / "index.html").write_text(page.replace("</main>", f'<p class="files">{links}</p>\n</main>'))
+    new.rename(folder)
+    return end(settings, folder)
+
+
 def end(settings: Settings, made: Path) -> int:
-    """Prints the file, and the failed checks and claims; returns the exit code."""
+    """Prints what was made, and the failed checks and claims; returns the exit code."""
     print(os.path.relpath(made))
-    failed = read_results(settings.generated / "results.json")["failed"]
-    for line in failed:
-        warn(line)
-    return 1 if failed else 0
+    return 1 if failures(settings) else 0
 
 
 def make_page(settings: Settings) -> str:
@@ -111,7 +135,7 @@ def errors_in(log: str, settings: Settings) -> list[str]:
     return errors
 
 
-def tool_output(command: list, folder: Path, settings: Settings) -> str:
+def tool_output(command: Sequence[str | Path], folder: Path, settings: Settings) -> str:
     """Runs a tool and returns its output. If it fails, the message is its first line that looks like an error."""
     # latexmlpost deletes the empty files of the folder for temporary files, also those of a compiler that runs.
     ran = subprocess.run([str(word) for word in command], cwd=folder, env=environment(settings) | {"TMPDIR": str(folder)},
@@ -148,9 +172,9 @@ def with_spaces(html: str) -> str:
 
 def with_levels(html: str) -> str:
     """Renumbers headings so that none is more than one level deeper than the heading above it."""
-    above = []
+    above: list[str] = []
 
-    def replace(match: re.Match) -> str:
+    def replace(match: re.Match[str]) -> str:
         if not match[1]:
             while above and above[-1] >= match[2]:
                 above.pop()

@@ -18,26 +18,16 @@ VERBS = {
     "case": "compute, draw and typeset one case into a folder",
     "cases": "do this for several cases and put their results into one table",
 }
-# The rules of the build. Make and Ninja call them.
-RULES = {
-    "build": "run Ninja and print what matters",
-    "compute": "run the program or script",
-    "draw": "run gnuplot for one figure",
-    "repository": "record the commit for \\papercommit",
-    "typeset": "run LaTeX until nothing changes, then write PDF and manifest",
-    "verdict": "fail if a check or claim failed",
-    "engine": "print the folder of the engine",
-}
+# Verbs in the module of a different verb or noun, which has a function with the name of the verb.
+HOME = {"case": "cases", "site": "html", "repository": "manifest", "verdict": "settings"}
+RULES = ("build", "compute", "draw", "repository", "typeset", "verdict")  # Make and Ninja call these.
 EXIT_CODES = "Exit codes: 0 done, 1 a check, claim or comparison failed, 2 bad input, 3 a tool failed."
 
 
 def usage() -> str:
     """Returns the output of `literate --help`."""
     lines = ["usage: literate VERB [ARGUMENT …]; literate VERB --help shows its arguments and examples", ""]
-    lines += [f"  {verb:<11} {what}" for verb, what in VERBS.items()]
-    lines += ["", "The build calls these:", ""]
-    lines += [f"  {verb:<11} {what}" for verb, what in RULES.items()]
-    return "\n".join([*lines, "", EXIT_CODES])
+    return "\n".join([*lines, *(f"  {verb:<11} {what}" for verb, what in VERBS.items()), "", EXIT_CODES])
 
 
 def main(arguments: list[str]) -> int:
@@ -50,15 +40,13 @@ def main(arguments: list[str]) -> int:
         if verb not in VERBS and verb not in RULES:
             raise Failure(f"literate: unknown verb '{verb}'{nearest(verb, [*VERBS, *RULES])}; "
                           "'literate --help' lists them" if verb else usage())
-        return importlib.import_module(f"literate_tools.{verb}").run(arguments[1:])
+        module = importlib.import_module(f"literate_tools.{HOME.get(verb, verb)}")
+        return int(getattr(module, verb if verb in HOME else "run")(arguments[1:]))
     except Failure as failure:
         print(failure, file=sys.stderr)
         return failure.code
     except KeyboardInterrupt:
         return 130
-    except BrokenPipeError:  # the reader, such as `head`, stopped
-        sys.stderr.close()
-        return 0
     except OSError as error:
         print(f"literate {verb}: {error.filename or ''}: {error.strerror or error}", file=sys.stderr)
         return 3

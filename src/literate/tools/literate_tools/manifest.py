@@ -6,9 +6,8 @@ import re
 import subprocess
 from pathlib import Path
 
-from literate_tools.common import sha256, tool
-from literate_tools.latex_log import log_of
-from literate_tools.settings import Settings, read_results
+from literate_tools.common import git, sha256, tool, write_if_changed
+from literate_tools.settings import Settings, read_results, read_settings
 
 SCHEMA = 1
 
@@ -44,8 +43,9 @@ def source_files(settings: Settings) -> list[Path]:
 
 def versions(settings: Settings) -> dict[str, str]:
     """Returns the versions of the tools: from CMake, from LaTeX's log, and from gnuplot."""
+    from literate_tools.latex_log import log_of
     log = log_of(settings)
-    tools = dict(settings.versions)
+    tools = dict(version.split(" ", 1) for version in settings.versions)
     for name, pattern in (("pdfTeX", r"This is pdfTeX, Version (\S+)"), ("LaTeX", r"LaTeX2e <([\d-]+)>")):
         found = re.search(pattern, log)
         tools[name] = found[1] if found else "unknown"
@@ -53,6 +53,22 @@ def versions(settings: Settings) -> dict[str, str]:
         printed = subprocess.run([tool("gnuplot", "gnuplot-nox"), "--version"], capture_output=True, text=True).stdout
         tools["gnuplot"] = printed.removeprefix("gnuplot ").strip()
     return tools
+
+
+def repository(arguments: list[str]) -> int:
+    """The rule that records the commit: literate repository SETTINGS."""
+    record_commit(read_settings(arguments[0]))
+    return 0
+
+
+def record_commit(settings: Settings) -> None:
+    """Writes generated/repository.tex, which defines \\papercommit and \\paperday, if its text changes. The day is that of the
+    commit, in the time zone of its committer."""
+    # Twelve digits: git's default depends on the number of objects in the clone.
+    commit = git(settings.source, "describe", "--always", "--dirty= with changes", "--abbrev=12", "--exclude=*")
+    day = git(settings.source, "log", "-1", "--format=%cd", "--date=format:%Y-%m-%d")
+    text = f"\\LiterateRepository{{{commit}}}{{{day}}}\n" if commit and day else "\\LiterateRepository{no commit}{}\n"
+    write_if_changed(settings.generated / "repository.tex", text)
 
 
 def commit(settings: Settings) -> str:

@@ -8,7 +8,6 @@ examples:
 """
 
 import re
-import shutil
 from pathlib import Path
 
 from literate_tools.common import ENGINE, Failure, git, parser
@@ -30,6 +29,7 @@ def run(arguments: list[str]) -> int:
     for part in ("common", "python" if given.python else "cpp"):
         copy(ENGINE / "template" / part, folder, name)
     (folder / ".engine").write_text(f"{ENGINE}\n")
+    (folder / ".gitignore").write_text("/build/\n/.engine\n__pycache__/\n")
     print(f"{given.folder}: cd there and run make; README.md describes the files")
     return 0
 
@@ -39,14 +39,8 @@ def copy(template: Path, folder: Path, name: str) -> None:
     address, commit = git(ENGINE, "remote", "get-url", "origin"), git(ENGINE, "rev-parse", "HEAD")
     if not address or not commit or not re.match(r"\w+://|\w+@", address):  # installed, or cloned from a local folder
         address, commit = TEMPLATE_ADDRESS, TEMPLATE_COMMIT
-    for path in sorted(template.rglob("*")):
+    for path in filter(Path.is_file, template.rglob("*")):
         target = folder / str(path.relative_to(template)).replace(TEMPLATE_NAME, name)
-        if path.name == "gitignore":
-            target = target.with_name(".gitignore")
-        if path.is_dir():
-            target.mkdir(parents=True, exist_ok=True)
-        else:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            text = path.read_text().replace(TEMPLATE_NAME, name)
-            target.write_text(text.replace(TEMPLATE_ADDRESS, address).replace(TEMPLATE_COMMIT, commit))
-            shutil.copymode(path, target)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        text = path.read_text().replace(TEMPLATE_NAME, name)
+        target.write_text(text.replace(TEMPLATE_ADDRESS, address).replace(TEMPLATE_COMMIT, commit))

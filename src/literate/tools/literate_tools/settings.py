@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the settings of a paper, a JSON file that CMake writes, and the results of its program."""
+"""The settings of a paper, a JSON file that CMake writes, and the results and the verdict of its program."""
+
+from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
-from literate_tools.common import Failure
+from literate_tools.common import TYPE_CHECKING, Failure, quiet_run, warn
+
+if TYPE_CHECKING:
+    from typing import Any
 
 SCHEMA = 1
 PARTS = ("values", "flags", "tables", "figures", "checks", "claims")
@@ -22,15 +27,14 @@ class Settings:
     case: Path
     output: Path  # PDF, manifest, generated/ and latex/
     build: Path  # CMake's folder
-    faults: Path | None = None
-    depfile_base: str = ""  # the base of relative names in a depfile; if empty, CMake converts the depfile
-    program: list[str] = field(default_factory=list)  # its arguments: compute CASE FOLDER
-    script: list[str] = field(default_factory=list)  # its arguments: CASE FILE.json
-    results_program: str = ""  # reads FILE.json
-    sources: list[Path] = field(default_factory=list)
-    scripts: list[Path] = field(default_factory=list)  # a gnuplot script for each figure
-    configure: list[str] = field(default_factory=list)  # arguments of CMake for a build elsewhere
-    versions: dict[str, str] = field(default_factory=dict)
+    faults: str  # the list of planted faults, or empty
+    results_program: str  # reads the FILE.json of a script
+    program: list[str]  # its arguments: compute CASE FOLDER
+    script: list[str]  # its arguments: CASE FILE.json
+    sources: list[Path]
+    scripts: list[Path]  # a gnuplot script for each figure
+    configure: list[str]  # arguments of CMake for a build elsewhere
+    versions: list[str]  # of CMake and the compiler
 
     @property
     def generated(self) -> Path:
@@ -53,34 +57,32 @@ class Settings:
 
 
 def read_settings(file: str | Path) -> Settings:
-    """Reads the settings of a paper. Without a name ('') it takes the only paper in the folder build/."""
-    path = Path(file) if file else only_paper()
+    """Reads the settings of a paper. Lists have a line for each word."""
     try:
-        settings = json.loads(path.read_text())
-        for key in ("source", "document", "case", "output", "build", "faults"):
-            settings[key] = Path(settings[key]) if settings.get(key) else None
+        settings = json.loads(Path(file).read_text())
+        for key in ("program", "script", "sources", "scripts", "configure", "versions"):
+            settings[key] = settings[key].splitlines()
         for key in ("sources", "scripts"):
-            settings[key] = [Path(one) for one in settings[key]]
+            settings[key] = [Path(word) for word in settings[key]]
+        for key in ("source", "document", "case", "output", "build"):
+            settings[key] = Path(settings[key])
         return Settings(**settings)
     except FileNotFoundError:
-        raise Failure(f"{path}: there is no such file; build the paper first") from None
-    except (ValueError, TypeError, KeyError):
-        raise Failure(f"{path}: these are not the settings of a paper") from None
+        raise Failure(f"{file}: there is no such file; build the paper first") from None
+    except (ValueError, TypeError, AttributeError, KeyError):
+        raise Failure(f"{file}: these are not the settings of a paper") from None
 
 
-def only_paper() -> Path:
-    """Returns the settings in the folder build/."""
-    found = [f for f in sorted(Path("build").glob("*.json")) if '"results_program"' in f.read_text()]
-    if len(found) != 1:
-        raise Failure("name the settings of the paper, such as build/mypaper.json" if found else
-                      "build has no settings of a paper: build the paper first, or name them")
-    return found[0].absolute()
+def configure(settings: Settings, source: Path, build: Path, output: Path, **options: Any) -> None:
+    """Configures a copy of the project with the same engine and build type."""
+    quiet_run(["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", *settings.configure,
+               f"-D{settings.name}_OUTPUT={output}"], f"configuring {source}", **options)
 
 
-def read_results(file: Path, text: str | None = None) -> dict:
+def read_results(file: Path) -> dict[str, Any]:
     """Reads results.json, or the results in a manifest. Fails for anything else."""
     try:
-        results = json.loads(file.read_text() if text is None else text)
+        results = json.loads(file.read_text())
     except FileNotFoundError:
         raise Failure(f"{file}: there is no such file; build the paper first") from None
     except ValueError:
@@ -94,3 +96,22 @@ def read_results(file: Path, text: str | None = None) -> dict:
     if not all(isinstance(results.get(part), dict) for part in PARTS) or not isinstance(results.get("failed"), list):
         raise Failure(f"{file}: these results are incomplete")
     return results
+
+
+def failures(settings: Settings) -> int:
+    """Prints the failed checks and claims and returns their number."""
+    failed = read_results(settings.generated / "results.json")["failed"]
+    for line in failed:
+        warn(line)
+    return len(failed)
+
+
+def verdict(arguments: list[str]) -> int:
+    """The last rule of a build: literate verdict SETTINGS STAMP. It fails while a check or claim fails, so that every build names it
+    again."""
+    settings = read_settings(arguments[0])
+    if failed := failures(settings):
+        warn(f"{settings.shown(settings.pdf)}: not to be trusted, {failed} {'check or claim' if failed == 1 else 'checks or claims'} failed")
+        return 1
+    Path(arguments[1]).touch()
+    return 0

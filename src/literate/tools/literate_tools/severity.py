@@ -4,7 +4,7 @@ severity.csv and severity.tex beside the prose record this, and \\claimledger pr
 have failed. With --tests it runs the tests instead, and lists the faults that no test detects.
 
 The list has one line for each fault: id | file | before | after | what is wrong [| test]. The text before must occur in the file
-exactly once. A run that was stopped continues where it was.
+exactly once.
 
 examples:
   literate severity build/mypaper.json
@@ -14,18 +14,17 @@ examples:
 """
 
 import csv
-import hashlib
 import io
-import json
 import os
 import re
-import signal
+import shutil
 import subprocess
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from literate_tools.common import Failure, configure, git, parser, quiet_run, write_bytes, write_if_changed
-from literate_tools.settings import Settings, read_results, read_settings
+from literate_tools.common import Failure, git, parser, quiet_run, write_if_changed
+from literate_tools.settings import Settings, configure, read_results, read_settings
 
 
 @dataclass(frozen=True)
@@ -46,13 +45,12 @@ def run(arguments: list[str]) -> int:
     arguments_of.add_argument("settings", help="the settings of the paper, such as build/mypaper.json")
     arguments_of.add_argument("--faults", type=Path, metavar="FILE", help="the list (the paper's FAULTS)")
     arguments_of.add_argument("--only", metavar="ID", help="plant only this fault, and record nothing")
-    arguments_of.add_argument("--timeout", type=float, default=1800, metavar="SECONDS", help="for one fault (1800)")
     arguments_of.add_argument("--build", default="true", metavar="COMMAND", help="builds the tests, in the copy")
     arguments_of.add_argument("--tests", metavar="COMMAND", help="runs them; $TEST is the last field of the line")
     given = arguments_of.parse_args(arguments)
     settings = read_settings(given.settings)
-    file = given.faults or settings.faults
-    if not file:
+    file = given.faults or Path(settings.faults)
+    if not file.name:
         raise Failure("the paper has no FAULTS in literate_add_paper: give --faults")
     chosen = [fault for fault in read_faults(file) if given.only in (None, fault.id)]
     if not chosen:
@@ -62,8 +60,8 @@ def run(arguments: list[str]) -> int:
     for fault in chosen:
         planted(copy, fault)  # fails for a wrong line before anything is built
     if given.tests:
-        return against_tests(copy, chosen, given.build, given.tests, given.timeout)
-    found = against_claims(settings, copy, chosen, given.timeout)
+        return against_tests(copy, chosen, given.build, given.tests)
+    found = against_claims(settings, copy, chosen)
     if not given.only and not given.faults:
         record(settings, chosen, found)
     return 1 if "does not compile" in found.values() else 0
@@ -71,36 +69,30 @@ def run(arguments: list[str]) -> int:
 
 def read_faults(file: Path) -> list[Fault]:
     """Reads the list of faults."""
-    faults: dict[str, Fault] = {}
+    faults = []
     for number, line in enumerate(file.read_text().splitlines(), 1):
         if not line.strip() or line.startswith("#"):
             continue
         fields = [field.strip() for field in re.split(r"(?<=\s)\|(?=\s|$)", line)]
         if len(fields) not in (5, 6) or not all(fields[:3]):
             raise Failure(f"{file.name}:{number}: needs id | file | before | after | what is wrong")
-        fault = Fault(*fields)
-        if fault.id in faults:
-            raise Failure(f"{file.name}:{number}: fault '{fault.id}' occurs twice")
-        faults[fault.id] = fault
-    return list(faults.values())
+        faults.append(Fault(*fields))
+    return faults
 
 
 def mirror(settings: Settings, copy: Path) -> None:
     """Copies the project's tracked and new files, and removes all others. Equal files keep their time stamps."""
     listed = git(settings.source, "ls-files", "-z", "--cached", "--others", "--exclude-standard")
-    names = set(filter(None, listed.split("\0"))) if listed is not None else {
-        str(path.relative_to(settings.source)) for path in settings.source.rglob("*")
-        if path.is_file() and not path.is_relative_to(settings.build)}
-    names = {name for name in names if (settings.source / name).is_file()}
-    for path in [path for path in copy.rglob("*") if path.is_file()]:
-        if str(path.relative_to(copy)) not in names:
+    paths = [settings.source / name for name in listed.split("\0")] if listed is not None else [
+        path for path in settings.source.rglob("*") if not path.is_relative_to(settings.build)]
+    files = {copy / path.relative_to(settings.source): path for path in paths if path.is_file()}
+    for path in copy.rglob("*"):
+        if path.is_file() and path not in files:
             path.unlink()
-    for name in names:
-        source, target = settings.source / name, copy / name
+    for target, source in files.items():
         if not target.exists() or target.read_bytes() != source.read_bytes():
             target.parent.mkdir(parents=True, exist_ok=True)
-            write_bytes(target, source.read_bytes())
-        target.chmod(source.stat().st_mode)
+            shutil.copy(source, target)
 
 
 def planted(copy: Path, fault: Fault) -> str:
@@ -114,39 +106,20 @@ def planted(copy: Path, fault: Fault) -> str:
     return text.replace(fault.before, fault.after)
 
 
-def against_claims(settings: Settings, copy: Path, faults: list[Fault], timeout: float) -> dict[str, str]:
+def against_claims(settings: Settings, copy: Path, faults: list[Fault]) -> dict[str, str]:
     """Returns, for each fault, the claims that it turns, or what else happens."""
     build, output = copy.parent / "build", copy.parent / "output"
     configure(settings, copy, build, output)
-    results = f"{settings.name}-results"
-    quiet_run(["ninja", "-C", str(build), results], "computing without a fault")
+    quiet_run(["ninja", "-C", str(build), f"{settings.name}-results"], "computing without a fault")
     right = verdicts(output)
-    known_file = copy.parent / "known.json"
-    known = json.loads(known_file.read_text()) if known_file.exists() else {}
-    state = digest_of_sources(settings, copy)
     found = {}
     for fault in faults:
-        key = hashlib.sha256(f"{state}{fault}".encode()).hexdigest()
-        if key not in known:
-            known[key] = with_fault(copy, fault, lambda: turned(settings, build, output, right, timeout))
-            write_if_changed(known_file, json.dumps(known))
-        found[fault.id] = known[key]
+        found[fault.id] = with_fault(copy, fault, lambda: turned(settings, build, output, right))
         print(f"{fault.id}: {found[fault.id]}", flush=True)
     return found
 
 
-def digest_of_sources(settings: Settings, copy: Path) -> str:
-    """Returns a digest of the files on which the results depend."""
-    digest = hashlib.sha256()
-    for given in [settings.case, *settings.sources, settings.source / "CMakeLists.txt"]:
-        if given.is_relative_to(settings.source):
-            path = copy / given.relative_to(settings.source)
-            for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
-                digest.update(f"{file}\0".encode() + (file.read_bytes() if file.is_file() else b""))
-    return digest.hexdigest()
-
-
-def with_fault(copy: Path, fault: Fault, action) -> str:
+def with_fault(copy: Path, fault: Fault, action: Callable[[], str]) -> str:
     """Runs an action while the fault is in the file."""
     path = copy / fault.file
     right = path.read_text()
@@ -157,26 +130,13 @@ def with_fault(copy: Path, fault: Fault, action) -> str:
         path.write_text(right)
 
 
-def run_limited(command: list[str], timeout: float, **options) -> tuple[int | None, str]:
-    """Returns the exit code of a command (None if it took too long) and its output."""
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                          start_new_session=True, **options) as running:
-        try:
-            printed = running.communicate(timeout=timeout)[0]
-            return running.returncode, printed
-        except subprocess.TimeoutExpired:
-            os.killpg(running.pid, signal.SIGKILL)  # a fault may cause an endless loop
-            return None, running.communicate()[0]
-
-
-def turned(settings: Settings, build: Path, output: Path, right: dict[str, str], timeout: float) -> str:
+def turned(settings: Settings, build: Path, output: Path, right: dict[str, str]) -> str:
     """Builds the results with a fault and returns the claims and checks whose verdict changes."""
-    code, printed = run_limited(["ninja", "-C", str(build), f"{settings.name}-results"], timeout)
-    if code is None:
-        return "does not end"
-    if code:
+    ran = subprocess.run(["ninja", "-C", str(build), f"{settings.name}-results"], stdout=subprocess.PIPE,
+                         stderr=subprocess.STDOUT, text=True, errors="replace")
+    if ran.returncode:
         # If the failed rule did not call `literate compute`, it was the compiler's.
-        failed = printed[printed.find("FAILED:"):].splitlines()
+        failed = ran.stdout[ran.stdout.find("FAILED:"):].splitlines()
         return "stops the computation" if any(" compute " in line for line in failed[:2]) else "does not compile"
     now = verdicts(output)
     names = [name for name in right if now.get(name) != right[name]] + [name for name in now if name not in right]
@@ -207,21 +167,18 @@ def record(settings: Settings, faults: list[Fault], found: dict[str, str]) -> No
           + (f"; not turned: {', '.join(idle)}" if idle else ""))
 
 
-def against_tests(copy: Path, faults: list[Fault], build: str, tests: str, timeout: float) -> int:
+def against_tests(copy: Path, faults: list[Fault], build: str, tests: str) -> int:
     """Runs the tests with each fault and lists the faults that none detects."""
-    def outcome(fault: Fault | None) -> str:
-        environment = os.environ | {"TEST": fault.test if fault else ""}
+    def outcome(test: str = "") -> str:
         for command, failure in ((build, "does not compile"), (tests, "noticed")):
-            if run_limited(["sh", "-c", command], timeout, cwd=copy, env=environment)[0] != 0:
+            if subprocess.run(command, shell=True, cwd=copy, env=os.environ | {"TEST": test}, capture_output=True).returncode:
                 return failure
         return "not noticed"
-    if (without := outcome(None)) != "not noticed":
+    if (without := outcome()) != "not noticed":
         raise Failure(f"without a fault the copy {'does not compile' if without != 'noticed' else 'fails its tests'}", 3)
     bad = 0
     for fault in faults:
-        result = with_fault(copy, fault, lambda: outcome(fault))
-        if result == "not noticed" and fault.test:  # a different test may detect it
-            result = with_fault(copy, fault, lambda: outcome(Fault(fault.id, fault.file, fault.before, fault.after, fault.wrong)))
+        result = with_fault(copy, fault, lambda: outcome(fault.test))
         bad += result != "noticed"
         print(f"{fault.id}: {result}" + (f" ({fault.wrong})" if result != "noticed" else ""), flush=True)
     return 1 if bad else 0

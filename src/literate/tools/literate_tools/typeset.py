@@ -168,8 +168,7 @@ def write_depfile(settings: Settings, stamp: Path, depfile: Path) -> None:
     """Writes the files that LaTeX read, for Ninja. Paths are relative where Ninja accepts that, since it cannot read every
     character; it knows the stamp by a relative path only inside its folder."""
     def escaped(path: Path, part: Path) -> str:
-        is_relative = settings.depfile_base and path.is_relative_to(part)
-        name = os.path.relpath(path, settings.depfile_base) if is_relative else str(path)
+        name = os.path.relpath(path, settings.build) if path.is_relative_to(part) else str(path)
         return name.replace("\\", "\\\\").replace(" ", "\\ ").replace("#", "\\#").replace("$", "$$")
     read = [escaped(path, settings.source) for path in recorded(settings) if not path.is_relative_to(settings.output)]
     depfile.write_text(f"{escaped(stamp, settings.build)}: {' '.join(read)}\n")
