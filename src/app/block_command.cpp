@@ -83,7 +83,7 @@ void add_left_out(Result& result, const std::vector<block::Disc>& discs, const s
   }
 }
 
-ExitCode run(const BlockOptions& options) {
+void run(const BlockOptions& options) {
   const Given given = options.output.given();
   const config::UnitSystem& units = given.units;
   std::optional<HalfSpaceCase> half_space;
@@ -133,7 +133,7 @@ ExitCode run(const BlockOptions& options) {
       fmt::format("{} unknowns; x along the top, y upwards", supported.fine().n_unknowns()));
   add_measures(result, measures, units);
   add_left_out(result, solution.left_out(), units.length);
-  return options.output.print(result, [&] {
+  options.output.print(result, [&] {
     return Picture{fmt::format("x ({})", units.length),
                    fmt::format("u_z ({})", units.length),
                    {line("u_z of the top", rectangle.left(), rectangle.right(),
@@ -143,22 +143,23 @@ ExitCode run(const BlockOptions& options) {
 
 }  // namespace
 
-void add_block_command(CLI::App& program, ExitCode& exit_code) {
-  const CommandText text{
-      "block",
-      R"(A finite block under a strip load or a triangular load, by finite elements in plane strain.
-      Displacements, strain energy and the greatest stresses are named as in Ruggiero's Appendix 2, each
-      with its error.)",
-      R"(  A steel block of 50 by 25 mm on a rigid base, 100 MPa on |x| <= 1 mm:
+void add_block_command(CLI::App& program) {
+  add_command<BlockOptions>(
+      program, "block",
+      "A finite block under a strip load or a triangular load, by finite elements in plane strain",
+      R"(Displacements, strain energy and the greatest stresses are named as in
+Ruggiero's Appendix 2, each with its error.
+
+Examples:
+  A steel block of 50 by 25 mm on a rigid base, 100 MPa on |x| <= 1 mm:
     halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \
       --half-width 1 --sides free
   The same on rollers, with displacements at points on the top, plotted below:
     halfspace block --width 50 --height 25 --shape uniform --peak-pressure 100 \
       --half-width 1 --sides roller --x 0:10:1 --plot -
   The block of a case file, as JSON:
-    halfspace block --case report/ruggiero2001.toml --format json
-)"};
-  add_command<BlockOptions>(program, text, exit_code, run);
+    halfspace block --case report/ruggiero2001.toml --format json)",
+      run);
 }
 
 }  // namespace app

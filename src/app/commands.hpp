@@ -2,47 +2,29 @@
 // The commands of the program.
 #pragma once
 
-#include <functional>
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "command_line/exit_codes.hpp"
-
-namespace CLI {
-class App;
-}
+#include "app/flags.hpp"
 
 namespace app {
 
-using command_line::ExitCode;
-
-/// The help of a command besides its flags.
-struct CommandText {
-  std::string name;
-  std::string description;  ///< its first sentence also appears in the list of commands
-  std::string examples;     ///< as printed: what each does, then the command line
-};
-
-/// Adds a command: `set_up` adds its flags and returns the function that runs it.
-void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code,
-                 const std::function<std::function<ExitCode()>(CLI::App&)>& set_up);
-
-/// The same for a command whose flags are the members of Options.
+/// Adds a command, whose flags are the members of Options. Its help begins with the description,
+/// which also appears in the list of commands, and ends with `more`, as it is.
 template <class Options>
-void add_command(CLI::App& program, const CommandText& text, ExitCode& exit_code,
-                 ExitCode (*run)(const Options&)) {
-  add_command(program, text, exit_code, [run](CLI::App& command) {
-    const std::shared_ptr<Options> options(new Options{command});
-    return [run, options] { return run(*options); };
-  });
+void add_command(CLI::App& program, const std::string& name, const std::string& description,
+                 const std::string& more, void (*run)(const Options&)) {
+  CLI::App* command = program.add_subcommand(name, wrapped(description))->group("Commands");
+  command->footer(more);
+  const std::shared_ptr<Options> options(new Options{*command});
+  command->callback([run, options] { run(*options); });
 }
 
-/// Each adds a command, which stores its exit code in `exit_code`.
-void add_displacement_command(CLI::App& program, ExitCode& exit_code);
-void add_contact_command(CLI::App& program, ExitCode& exit_code);
-void add_point_contact_command(CLI::App& program, ExitCode& exit_code);
-void add_stress_command(CLI::App& program, ExitCode& exit_code);
-void add_block_command(CLI::App& program, ExitCode& exit_code);
+void add_displacement_command(CLI::App& program);
+void add_contact_command(CLI::App& program);
+void add_point_contact_command(CLI::App& program);
+void add_stress_command(CLI::App& program);
+void add_block_command(CLI::App& program);
 
 }  // namespace app

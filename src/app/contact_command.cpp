@@ -110,7 +110,7 @@ Picture picture_of(const SolvedContact& solved, const config::UnitSystem& units)
   return picture;
 }
 
-ExitCode run(const ContactOptions& options) {
+void run(const ContactOptions& options) {
   const Given given = options.output.given();
   const config::UnitSystem& units = given.units;
   const SolvedContact solved = options.contact.solve(given);
@@ -131,27 +131,28 @@ ExitCode run(const ContactOptions& options) {
       .notes = solved.notes,
       .warnings = solved.warnings};
   add_notes(result.notes, solved, units);
-  return options.output.print(result, [&] { return picture_of(solved, units); });
+  options.output.print(result, [&] { return picture_of(solved, units); });
 }
 
 }  // namespace
 
-void add_contact_command(CLI::App& program, ExitCode& exit_code) {
-  const CommandText text{
-      "contact",
-      R"(Hertz line contact: two cylinders, or a cylinder on a plane, pressed together along a line.
-Pressure, half-width and gap by boundary elements are compared with Hertz's closed form; the profile
-may also be measured.)",
-      R"(  A steel cylinder of radius 10 mm on a steel plane, 100 N/mm, plotted below:
+void add_contact_command(CLI::App& program) {
+  add_command<ContactOptions>(
+      program, "contact",
+      "Hertz line contact: two cylinders, or a cylinder on a plane, pressed together along a line",
+      R"(Pressure, half-width and gap by boundary elements are compared with Hertz's
+closed form; the profile may also be measured.
+
+Examples:
+  A steel cylinder of radius 10 mm on a steel plane, 100 N/mm, plotted below:
     halfspace contact --radius1 10 --load 100 --plot -
   A steel shaft in a bronze bearing, in inches and pounds, with the approach:
     halfspace contact --units in-lbf --radius1 1 --radius2 -1.1 --load 2500 \
       --young1 30e6 --poisson1 0.3 --young2 16e6 --poisson2 0.34 --datum 1
   A measured profile on a million nodes, all pressures as CSV:
     halfspace contact --profile file:gap.csv --load 50N/mm --nodes 1e6 \
-      --format csv
-)"};
-  add_command<ContactOptions>(program, text, exit_code, run);
+      --format csv)",
+      run);
 }
 
 }  // namespace app

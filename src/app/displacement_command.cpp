@@ -164,7 +164,7 @@ void add_notes(std::vector<std::string>& notes, const ChosenLoad& load, const Nu
   notes.push_back(fmt::format("{} of {} points agree within their errors", n_agreeing, n));
 }
 
-ExitCode run(const DisplacementOptions& options) {
+void run(const DisplacementOptions& options) {
   const Given given = options.output.given();
   const config::UnitSystem& units = given.units;
   HalfSpace from_case;
@@ -196,7 +196,7 @@ ExitCode run(const DisplacementOptions& options) {
     result.notes.push_back(fmt::format("u_z = 0 at x = {} {}", rounded(datum), units.length));
   }
   add_notes(result.notes, load, gradients, displacements, units.length);
-  return options.output.print(result, [&, &u = displacement] {
+  options.output.print(result, [&, &u = displacement] {
     const auto [low, high] = std::ranges::minmax(points);
     const auto value = [&u](double x) {
       const double u_at = u.closed_form ? u.closed_form(x) : u.quadrature(x).value;
@@ -211,23 +211,25 @@ ExitCode run(const DisplacementOptions& options) {
 
 }  // namespace
 
-void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
-  const CommandText text{
-      "displacement",
-      R"(Surface displacement u_z of a half-space under a strip load, a triangular load or any other
-      pressure, and its gradient. Both are computed by numerical quadrature (eq. 2 of Ruggiero 2001) and
-      compared with their closed forms where these are known. At the edge of a strip the displacement is
-      finite and the gradient infinite.)",
-      R"(  A strip load of 100 MPa on |x| <= 1 mm of steel:
+void add_displacement_command(CLI::App& program) {
+  add_command<DisplacementOptions>(
+      program, "displacement",
+      "Surface displacement of a half-space under a strip load, a triangular load or any other "
+      "pressure",
+      R"(The displacement and its gradient are computed by numerical quadrature (eq. 2
+of Ruggiero 2001) and compared with their closed forms where these are known.
+At the edge of a strip the displacement is finite and the gradient infinite.
+
+Examples:
+  A strip load of 100 MPa on |x| <= 1 mm of steel:
     halfspace displacement --shape uniform --peak-pressure 100 --half-width 1
   A triangular load on aluminium, at chosen points, plotted in the terminal:
     halfspace displacement --peak-pressure 63MPa --half-width 0.4mm \
       --young 70GPa --poisson 0.33 --x 0:2:0.1 --datum 50 --plot -
   A pressure given by a formula, with all digits as CSV:
     halfspace displacement --shape 'expression:p0*(1-(x/a)^4)' \
-      --peak-pressure 100 --half-width 1 --format csv
-)"};
-  add_command<DisplacementOptions>(program, text, exit_code, run);
+      --peak-pressure 100 --half-width 1 --format csv)",
+      run);
 }
 
 }  // namespace app

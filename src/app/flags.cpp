@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <string_view>
 
 #include "config/units.hpp"
@@ -83,10 +84,30 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
 
 }  // namespace
 
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t width = 80 - help_column;
+  std::istringstream words(text);
+  std::string all, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() >= width) {
+      all += line + '\n';
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return all + line;
+}
+
 Flag::Flag(CLI::App& command, const std::string& names, const std::string& type,
            const std::string& group, const std::string& help)
     : name_(names.substr(0, names.find(','))) {
-  command.add_option(names, text_, help)->type_name(type)->group(group);
+  // CLI11 would take the flag that follows "--x=", or a flag without a value, for the value.
+  const CLI::Validator is_value(
+      [](const std::string& text) {
+        return text.empty() || text.starts_with("--") ? "the value is missing" : "";
+      },
+      "");
+  command.add_option(names, text_, wrapped(help))->type_name(type)->group(group)->check(is_value);
 }
 
 void Flag::refuse(const std::string& reason) const {

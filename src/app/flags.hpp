@@ -13,6 +13,12 @@ class App;
 
 namespace app {
 
+/// The column at which descriptions begin in the help.
+constexpr std::size_t help_column = 27;
+
+/// Wraps a description in the help before column 80.
+std::string wrapped(const std::string& text);
+
 /// A flag with a value. CLI11 stores the text and lists the help; numbers are parsed here, because
 /// CLI11's parsing depends on the locale.
 class Flag {

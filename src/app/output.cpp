@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 
+#include "command_line/exit_codes.hpp"
 #include "system/error.hpp"
 #include "system/tool.hpp"
 
@@ -134,8 +135,7 @@ Given Output::given() const {
   return given;
 }
 
-command_line::ExitCode Output::print(const Result& result,
-                                     const std::function<Picture()>& picture) const {
+void Output::print(const Result& result, const std::function<Picture()>& picture) const {
   for (const Quantity& quantity : result.quantities) require_finite(quantity.key, quantity.value);
   const std::string text = is_csv()                   ? csv_of(result.table)
                            : format_.text() == "json" ? json_of(result)
@@ -145,7 +145,6 @@ command_line::ExitCode Output::print(const Result& result,
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (plot_.is_given()) draw(picture(), plot_.text());
-  return command_line::ExitCode::success;
 }
 
 void require_folder_of(const Flag& flag) {

@@ -9,7 +9,6 @@
 
 #include "app/flags.hpp"
 #include "app/result.hpp"
-#include "command_line/exit_codes.hpp"
 #include "config/units.hpp"
 #include "parameters/case.hpp"
 
@@ -54,7 +53,7 @@ class Output {
   /// Prints warnings on standard error and the result in the requested format, then draws the
   /// picture. Throws sys::InputError for a number that is not finite, sys::ToolError if gnuplot
   /// fails or is missing.
-  command_line::ExitCode print(const Result& result, const std::function<Picture()>& picture) const;
+  void print(const Result& result, const std::function<Picture()>& picture) const;
 
  private:
   Flag case_, units_, format_, plot_;

@@ -253,7 +253,7 @@ Picture picture_of(const Bodies& bodies, const point_contact::Solution& s,
   return picture;
 }
 
-ExitCode run(const PointContactOptions& options) {
+void run(const PointContactOptions& options) {
   const Given given = options.output.given();
   const UnitSystem& units = given.units;
   if (options.field.is_given()) require_folder_of(options.field);
@@ -304,27 +304,29 @@ ExitCode run(const PointContactOptions& options) {
   if (options.output.is_csv() || options.field.is_given()) result.table = nodes_of(s);
   if (options.field.is_given())
     sys::write_file_atomically(options.field.text(), csv_of(result.table));
-  return options.output.print(result, [&] { return picture_of(bodies, s, units); });
+  options.output.print(result, [&] { return picture_of(bodies, s, units); });
 }
 
 }  // namespace
 
-void add_point_contact_command(CLI::App& program, ExitCode& exit_code) {
-  const CommandText text{
-      "point-contact",
-      R"(Hertz point contact: two spheres or ellipsoids pressed together at a point, or a rough surface.
-      Pressure and gap on a plane of nodes are compared with Hertz's closed form; a surface may also be a
-      measured height map.)",
-      R"(  A steel ball of radius 10 mm on a steel plane, 100 N:
+void add_point_contact_command(CLI::App& program) {
+  add_command<PointContactOptions>(
+      program, "point-contact",
+      "Hertz point contact: two spheres or ellipsoids pressed together at a point, or a rough "
+      "surface",
+      R"(Pressure and gap on a plane of nodes are compared with Hertz's closed form; a
+surface may also be a measured height map.
+
+Examples:
+  A steel ball of radius 10 mm on a steel plane, 100 N:
     halfspace point-contact --radius1 10 --load 100
   A steel ball in an aluminium groove, plotted to a file:
     halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 \
       --young2 70GPa --poisson2 0.33 --load 50 --plot pressure.pdf
   A measured surface with points 5 um apart under a flat, pressures in a file:
     halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \
-      --field pressure.csv
-)"};
-  add_command<PointContactOptions>(program, text, exit_code, run);
+      --field pressure.csv)",
+      run);
 }
 
 }  // namespace app

@@ -174,7 +174,7 @@ Picture picture_of(const std::vector<Point>& points, double nu, const config::Un
           {shear, von_mises}};
 }
 
-ExitCode run(const StressOptions& options) {
+void run(const StressOptions& options) {
   const Given given = options.output.given();
   const config::UnitSystem& units = given.units;
   const Pressed pressed = options.load.shape.is_given() ? pressed_by_load(options, given)
@@ -186,28 +186,30 @@ ExitCode run(const StressOptions& options) {
                 .notes = pressed.notes,
                 .warnings = pressed.warnings};
   add_notes(result.notes, points, pressed);
-  return options.output.print(
-      result, [&] { return picture_of(points, pressed.material.poisson(), units); });
+  options.output.print(result,
+                       [&] { return picture_of(points, pressed.material.poisson(), units); });
 }
 
 }  // namespace
 
-void add_stress_command(CLI::App& program, ExitCode& exit_code) {
-  const CommandText text{
-      "stress",
-      R"(Stresses beneath a line contact, or beneath a strip load or any other pressure. Plane strain, z into
-      the body. With --shape the pressure is given; without it two bodies are pressed together as in
-      'halfspace contact', and beneath cylinders the shear is compared with McEwen's closed form.)",
-      R"(  On the axis beneath a steel cylinder on a plane, to twice the half-width:
+void add_stress_command(CLI::App& program) {
+  add_command<StressOptions>(
+      program, "stress",
+      "Stresses beneath a line contact, or beneath a strip load or any other pressure",
+      R"(Plane strain, z into the body. With --shape the pressure is given; without it
+two bodies are pressed together as in 'halfspace contact', and beneath cylinders
+the shear is compared with McEwen's closed form.
+
+Examples:
+  On the axis beneath a steel cylinder on a plane, to twice the half-width:
     halfspace stress --radius1 10 --load 100 --plot -
   Beneath a strip load of 100 MPa on |x| <= 1 mm:
     halfspace stress --shape uniform --peak-pressure 100 --half-width 1 \
       --z 0:3:0.25
   Across the contact at one depth, as JSON:
     halfspace stress --radius1 10 --load 100 --x -0.2:0.2:0.01 --z 0.08 \
-      --format json
-)"};
-  add_command<StressOptions>(program, text, exit_code, run);
+      --format json)",
+      run);
 }
 
 }  // namespace app
