@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -35,7 +33,6 @@ std::vector<Line> lines_of(const std::string& text) {
 }
 
 std::string text_of(const std::string& file) {
-  if (file == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
   if (std::filesystem::is_directory(file)) throw sys::InputError(file + ": is a folder");
   std::string text = sys::read_file(file);
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // written by spreadsheets
@@ -113,17 +110,6 @@ Eigen::ArrayXXd read_grid(const std::string& file) {
         Eigen::Map<const Eigen::ArrayXd>(rows[j].data(), static_cast<Eigen::Index>(width));
   }
   return grid;
-}
-
-std::vector<double> read_numbers(const std::string& file) {
-  const std::string text = text_of(file);
-  std::vector<double> all;
-  for (const Line& line : lines_of(text)) {
-    const std::vector<double> numbers = numbers_of(file, line);
-    all.insert(all.end(), numbers.begin(), numbers.end());
-  }
-  if (all.empty()) throw sys::InputError(file + ": contains no numbers");
-  return all;
 }
 
 }  // namespace app

@@ -20,7 +20,4 @@ CurvePoints read_curve(const std::string& file, const std::string& heading, std:
 /// Reads a grid of at least 4 by 4 numbers without a heading: grid(i, j) is number i of line j.
 Eigen::ArrayXXd read_grid(const std::string& file);
 
-/// Reads the numbers of a file, one or more per line; "-" reads standard input.
-std::vector<double> read_numbers(const std::string& file);
-
 }  // namespace app

@@ -8,7 +8,6 @@
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
-#include "app/csv_files.hpp"
 #include "app/loads.hpp"
 #include "app/output.hpp"
 #include "elasticity/surface_quadrature.hpp"
@@ -28,8 +27,6 @@ struct DisplacementOptions {
       command, "--x", "LENGTH", "Points",
       "Points on the surface: a list 0,0.5,2 or a range BEGIN:END:STEP [21 points over twice the "
       "load's width, or the case's]"};
-  Flag x_file{command, "--x-file", "FILE", "Points",
-              "Instead: a file with one point per line; - reads standard input"};
   Flag datum{command, "--datum", "LENGTH", "Points",
              "The x at which u_z = 0, arbitrary in plane strain [ten times the load's "
              "half-width, or the case's]"};
@@ -40,11 +37,7 @@ struct DisplacementOptions {
 
 std::vector<double> points_of(const DisplacementOptions& options, const HalfSpace& from_case,
                               const ChosenLoad& load, const config::UnitSystem& units) {
-  if (options.x.is_given()) {
-    refuse_given({&options.x_file}, "points that --x gives");
-    return options.x.quantities(units.length);
-  }
-  if (options.x_file.is_given()) return read_numbers(options.x_file.text());
+  if (options.x.is_given()) return options.x.quantities(units.length);
   if (from_case) return from_case->points;
   const auto& pieces = load.load.normal.pieces();
   if (pieces.empty()) throw sys::InputError("--x is missing");

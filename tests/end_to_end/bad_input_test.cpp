@@ -229,19 +229,12 @@ BOOST_AUTO_TEST_CASE(invalid_files_are_rejected_with_the_position_of_the_error) 
   const char* load = "displacement --shape file:it.csv";
   check_file("x,pressure\n0,0\n1,much\n2,0\n", load, "it.csv:3:3: \"much\" is not a number");
   check_file("x,pressure\n0,0\n", load, "it.csv: expected at least 2 points, found 1");
-  const char* list = "displacement --peak-pressure 1 --half-width 1 --x-file it.csv";
-  check_file("# in\n0\n0;5\n", list, "it.csv:3:1: \"0;5\" is not a number");
-  check_file("\n", list, "it.csv: contains no numbers");
   const char* map = "point-contact --load 1 --spacing 1 --profile heights:it.csv";
   check_file("1,2,3,4\n1,,3,4\n1,2,3,4\n1,2,3,4\n", map, "it.csv:2:3: a number is missing");
   check_file("1,2,3,4\n1,2,3\n1,2,3,4\n1,2,3,4\n", map,
              "it.csv:2: expected 4 numbers as in line 1, found 3");
   check_file("1,2,3\n", map, "it.csv: expected at least 4 lines of 4 numbers, found 1 of 3");
   check(folder.path(), {
-                           {"displacement --peak-pressure 1 --half-width 1 --x-file none.txt",
-                            "cannot read 'none.txt': No such file or directory"},
-                           {"displacement --peak-pressure 1 --half-width 1 --x 0 --x-file none.txt",
-                            "--x-file has no meaning for points that --x gives"},
                            {"contact --load 1 --profile file:none.csv",
                             "cannot read 'none.csv': No such file or directory"},
                            {"contact --load 1 --profile file:.", ".: is a folder"},
