@@ -76,7 +76,8 @@ void require_drawable(const Flag& where) {
   if (!terminals().contains(ending_of(where.text()))) {
     where.refuse("must end with .svg, .png or .pdf, or be -");
   }
-  require_folder_of(where);
+  const fs::path folder = fs::path(where.text()).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder)) where.refuse("folder does not exist");
 }
 
 // Draws the picture. A file is renamed into place once it is complete.
@@ -145,12 +146,6 @@ void Output::print(const Result& result, const std::function<Picture()>& picture
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (plot_.is_given()) draw(picture(), plot_.text());
-}
-
-void require_folder_of(const Flag& flag) {
-  const fs::path folder = fs::path(flag.text()).parent_path();
-  std::error_code ignored;
-  if (!folder.empty() && !fs::is_directory(folder, ignored)) flag.refuse("folder does not exist");
 }
 
 Curve line(const std::string& title, double begin, double end,

@@ -59,7 +59,4 @@ class Output {
   Flag case_, units_, format_, plot_;
 };
 
-/// Throws sys::InputError naming the flag unless the folder of its file exists.
-void require_folder_of(const Flag& flag);
-
 }  // namespace app

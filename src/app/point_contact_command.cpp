@@ -16,7 +16,6 @@
 #include "point_contact/solver/problem.hpp"
 #include "point_contact/solver/solution.hpp"
 #include "system/error.hpp"
-#include "system/files.hpp"
 
 namespace app {
 namespace {
@@ -62,8 +61,6 @@ struct PointContactOptions {
               "Solution method; variational is a slower reference [fft]"};
   Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
                  "Error of the pressure, relative to the peak [1e-8]"};
-  Flag field{command, "--field", "FILE", "Input and output",
-             "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap"};
   Output output{command, "[contact], for its bodies"};
 
   bool is_measured() const {
@@ -256,7 +253,6 @@ Picture picture_of(const Bodies& bodies, const point_contact::Solution& s,
 void run(const PointContactOptions& options) {
   const Given given = options.output.given();
   const UnitSystem& units = given.units;
-  if (options.field.is_given()) require_folder_of(options.field);
   std::optional<ContactCase> from_case;
   if (given.file) from_case = given.file->contact();
   Result result{.table_in_json = InJson::nothing,
@@ -301,9 +297,7 @@ void run(const PointContactOptions& options) {
   const std::string coarse = contact::resolution_warning(s.resolution());
   if (!coarse.empty()) result.warnings.push_back(coarse);
   add_notes(result.notes, options, s, units);
-  if (options.output.is_csv() || options.field.is_given()) result.table = nodes_of(s);
-  if (options.field.is_given())
-    sys::write_file_atomically(options.field.text(), csv_of(result.table));
+  if (options.output.is_csv()) result.table = nodes_of(s);
   options.output.print(result, [&] { return picture_of(bodies, s, units); });
 }
 
@@ -323,9 +317,9 @@ Examples:
   A steel ball in an aluminium groove, plotted to a file:
     halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 \
       --young2 70GPa --poisson2 0.33 --load 50 --plot pressure.pdf
-  A measured surface with points 5 um apart under a flat, pressures in a file:
+  A measured surface with points 5 um apart under a flat, all pressures as CSV:
     halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \
-      --field pressure.csv)",
+      --format csv)",
       run);
 }
 

@@ -84,8 +84,6 @@ BOOST_AUTO_TEST_CASE(unknown_choices) {
       {"displacement --plot no/out.svg", "--plot = no/out.svg: folder does not exist"},
       {"displacement --plot - --format csv",
        "--plot = -: needs --format table; the plot is printed below the table"},
-      {"point-contact --radius1 1 --load 1 --field no/field.csv",
-       "--field = no/field.csv: folder does not exist"},
   });
 }
 
