@@ -11,7 +11,6 @@
 #include "elasticity/material.hpp"
 #include "line_contact/cylinders.hpp"
 #include "parameters/case.hpp"
-#include "system/require.hpp"
 
 namespace app {
 
@@ -55,21 +54,5 @@ std::optional<line_contact::Radius> radius_of(const Flag& flag, const std::strin
 /// A warning if the contact's half-width is not small compared with the least radius of curvature
 /// (0 if unknown): the error of the half-space approximation is of the order of the ratio squared.
 std::vector<std::string> half_space_warnings(double half_width, double least_radius);
-
-/// Returns solve(). If it throws because a quantity from one of the flags is out of range, the
-/// message names the flag and quotes its text.
-template <class Solve>
-auto naming(const std::vector<const Flag*>& flags, const Solve& solve) {
-  try {
-    return solve();
-  } catch (const sys::InvalidQuantity& error) {
-    for (const Flag* flag : flags) {
-      if (flag->is_given() && flag->name() == "--" + error.quantity()) {
-        flag->refuse("must be " + error.allowed());
-      }
-    }
-    throw;
-  }
-}
 
 }  // namespace app

@@ -75,15 +75,11 @@ line_contact::Grid grid_of(const ContactFlags& flags, const Bodies& bodies, long
   return line_contact::grid_of_width(*width, n_nodes);
 }
 
-line_contact::Solution solution_of(const ContactFlags& flags, const std::string& method,
-                                   const line_contact::Problem& problem, double load) {
-  const auto tolerance = flags.tolerance.positive("1");
-  return naming({&flags.nodes, &flags.domain, &flags.tolerance}, [&] {
-    if (method == "variational") return line_contact::solve_by_variational_method(problem, load);
-    if (method == "matrix-inversion") return line_contact::solve_by_matrix_inversion(problem, load);
-    return line_contact::solve_by_fft(problem, load,
-                                      tolerance.value_or(line_contact::default_tolerance));
-  });
+line_contact::Solution solution_of(const std::string& method, const line_contact::Problem& problem,
+                                   double load) {
+  if (method == "variational") return line_contact::solve_by_variational_method(problem, load);
+  if (method == "matrix-inversion") return line_contact::solve_by_matrix_inversion(problem, load);
+  return line_contact::solve_by_fft(problem, load);
 }
 
 }  // namespace
@@ -115,7 +111,6 @@ SolvedContact ContactFlags::solve(const Given& given) const {
   const std::string chosen = method.choice_or(
       usual,
       {{"matrix-inversion", "matrix-inversion"}, {"variational", "variational"}, {"fft", "fft"}});
-  if (chosen != "fft") refuse_given({&tolerance}, "--method " + chosen);
   const line_contact::Problem problem{
       bodies.profile, elasticity::contact_modulus(both.first, both.second),
       grid_of(*this, bodies, n_nodes, units),
@@ -128,7 +123,7 @@ SolvedContact ContactFlags::solve(const Given& given) const {
   const command_line::Stopwatch stopwatch;
   SolvedContact solved{both.first,
                        both.second,
-                       solution_of(*this, chosen, problem, p),
+                       solution_of(chosen, problem, p),
                        chosen,
                        place,
                        bodies.hertz,

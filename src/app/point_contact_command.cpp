@@ -284,10 +284,8 @@ void run(const PointContactOptions& options) {
 
   const command_line::Stopwatch stopwatch;
   const point_contact::Solution s =
-      naming({&options.nodes, &options.domain, &options.tolerance}, [&] {
-        return is_variational ? point_contact::solve_by_variational_method(problem, load, tolerance)
-                              : point_contact::solve_for_load(problem, load, tolerance);
-      });
+      is_variational ? point_contact::solve_by_variational_method(problem, load, tolerance)
+                     : point_contact::solve_for_load(problem, load, tolerance);
   const double seconds = stopwatch.seconds();
   result.quantities = quantities_of(bodies, s, load, units);
   result.digits = earned_digits(contact::relative_error(s.resolution()), result.digits);
