@@ -5,7 +5,6 @@
 #include <muParser.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -85,28 +84,6 @@ ChosenLoad load_of_file(const std::string& file) {
           .pressure = std::move(points.y)};
 }
 
-// Extracts muParser's reason, without the position, the formula and the full stop.
-std::string reason_of(const mu::ParserError& error) {
-  std::string reason = error.GetMsg();
-  for (const char* ending : {" found at position", " at position", " at expression position"}) {
-    const std::size_t at = reason.find(ending);
-    if (at != std::string::npos) reason.erase(at);
-  }
-  while (!reason.empty() && reason.back() == '.') reason.pop_back();
-  if (!reason.empty()) {
-    reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
-  }
-  return reason;
-}
-
-[[noreturn]] void refuse(const std::string& formula, const mu::ParserError& error) {
-  // If muParser does not know the position, something is missing at the end of the formula.
-  const bool is_known = error.GetPos() >= 0 && error.GetPos() < static_cast<int>(formula.size());
-  const std::size_t column = is_known ? static_cast<std::size_t>(error.GetPos()) : formula.size();
-  throw sys::InputError(
-      fmt::format("expression \"{}\", column {}: {}", formula, column + 1, reason_of(error)));
-}
-
 // The parser keeps the address of x, so the two must stay together.
 struct Formula {
   mu::Parser parser;
@@ -117,8 +94,8 @@ struct Formula {
 // abs, exp, ln, min, …), pi, and these constants. The function throws sys::InputError naming x
 // where the formula has no finite value.
 //
-// Throws sys::InputError with the column of an error in the formula. The decimal sign is a point in
-// every locale.
+// Throws sys::InputError with muParser's message for an error in the formula. The decimal sign is a
+// point in every locale.
 std::function<double(double)> parse_expression(const std::string& formula,
                                                const std::map<std::string, double>& constants) {
   const auto parsed = std::make_shared<Formula>();
@@ -129,20 +106,15 @@ std::function<double(double)> parse_expression(const std::string& formula,
     parsed->parser.SetExpr(formula);
     parsed->parser.Eval();  // compiles it
   } catch (const mu::ParserError& error) {
-    refuse(formula, error);
+    throw sys::InputError(fmt::format("expression \"{}\": {}", formula, error.GetMsg()));
   }
   if (parsed->parser.GetNumResults() != 1) {
     throw sys::InputError(fmt::format("expression \"{}\": {} formulas, but one is needed", formula,
                                       parsed->parser.GetNumResults()));
   }
   return [formula, parsed](double x) {
-    double value = std::numeric_limits<double>::quiet_NaN();
-    try {
-      parsed->x = x;
-      value = parsed->parser.Eval();
-    } catch (const mu::ParserError& error) {
-      refuse(formula, error);
-    }
+    parsed->x = x;
+    const double value = parsed->parser.Eval();
     if (std::isfinite(value)) return value;
     throw sys::InputError(
         fmt::format("expression \"{}\" has no finite value at x = {:.6g}", formula, x));

@@ -237,12 +237,12 @@ BOOST_AUTO_TEST_CASE(invalid_files_are_rejected_with_the_position_of_the_error) 
                        });
 }
 
-BOOST_AUTO_TEST_CASE(invalid_formulas_are_rejected_with_the_column_of_the_error) {
+BOOST_AUTO_TEST_CASE(invalid_formulas_are_rejected_with_the_reason) {
   check({
       {"displacement --peak-pressure 1 --half-width 1 --shape expression:p0*(1-(x/a)^4",
-       "expression \"p0*(1-(x/a)^4\", column 14: missing parenthesis"},
+       "expression \"p0*(1-(x/a)^4\": Missing parenthesis"},
       {"displacement --peak-pressure 1 --half-width 1 --shape expression:p0*(1-(y/a)^4)",
-       "expression \"p0*(1-(y/a)^4)\", column 8: unexpected token \"y\""},
+       "expression \"p0*(1-(y/a)^4)\": Unexpected token \"y\" found at position 7."},
       {"displacement --peak-pressure 1 --half-width 1 --shape expression:p0,a",
        "expression \"p0,a\": 2 formulas, but one is needed"},
       {"displacement --peak-pressure 1 --half-width 1 --shape expression:p0/x",
