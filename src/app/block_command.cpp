@@ -58,7 +58,6 @@ void add_measures(Result& result, const std::vector<block::MeasureEstimate>& mea
   Column of_units{.key = "unit", .heads = {"unit"}};
   for (const auto& [name, estimate] : measures) {
     const std::string unit = unit_of(name, units);
-    require_finite(name, estimate.value);
     names.cells.push_back(name);
     values.numbers.push_back(estimate.value);
     values.cells.push_back(earned(estimate));

@@ -137,7 +137,6 @@ Given Output::given() const {
 }
 
 void Output::print(const Result& result, const std::function<Picture()>& picture) const {
-  for (const Quantity& quantity : result.quantities) require_finite(quantity.key, quantity.value);
   const std::string text = is_csv()                   ? csv_of(result.table)
                            : format_.text() == "json" ? json_of(result)
                                                       : text_of(result);

@@ -51,8 +51,7 @@ class Output {
   bool is_csv() const { return format_.text() == "csv"; }
 
   /// Prints warnings on standard error and the result in the requested format, then draws the
-  /// picture. Throws sys::InputError for a number that is not finite, sys::ToolError if gnuplot
-  /// fails or is missing.
+  /// picture. Throws sys::ToolError if gnuplot fails or is missing.
   void print(const Result& result, const std::function<Picture()>& picture) const;
 
  private:

@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "app/flags.hpp"
-#include "system/error.hpp"
 
 namespace app {
 namespace {
@@ -176,12 +175,6 @@ int earned_digits(double rel_error, int most) {
   constexpr double fewest = 3;
   if (!(rel_error > 0)) return most;
   return static_cast<int>(std::clamp(std::ceil(-std::log10(rel_error)), fewest, double(most)));
-}
-
-void require_finite(const std::string& what, double number) {
-  if (std::isfinite(number)) return;
-  throw sys::InputError(what +
-                        ": not a finite number; the parameters are beyond the range of a double");
 }
 
 std::string text_of(const Result& result) {

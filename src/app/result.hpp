@@ -66,9 +66,6 @@ Column column_of_places(const std::string& key, const std::string& unit,
 /// The significant digits that this relative error supports, from 3 to `most`.
 int earned_digits(double rel_error, int most);
 
-/// Throws sys::InputError naming `what` if the number has overflowed.
-void require_finite(const std::string& what, double number);
-
 /// The text: quantities beside their closed forms, table and notes, in 80 columns.
 std::string text_of(const Result& result);
 
