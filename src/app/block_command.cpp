@@ -22,7 +22,7 @@ using parameters::HalfSpaceCase;
 
 struct BlockOptions {
   CLI::App& command;
-  LoadFlags load{command, "--shape,--load", Shapes::without_input};
+  LoadFlags load{command, "--shape,--load", Shapes::named};
   MaterialFlags material{command};
   Flag width{command, "--width", "LENGTH", "Block", "Width; the load is in the middle of the top"};
   Flag height{command, "--height", "LENGTH", "Block", "Height"};

@@ -55,54 +55,48 @@ double datum_of(const DisplacementOptions& options, const HalfSpace& from_case,
   return 10 * load.reach();
 }
 
-// A function of x on the surface, by quadrature and in closed form if one is known.
-struct Function {
-  std::string key, symbol, unit;
-  std::function<Estimate(double)> quadrature;
-  std::function<double(double)> closed_form;
-};
+// The surface under a load: one component of its displacement and the gradient, by quadrature and
+// in closed form.
+struct Surface {
+  const Material& material;
+  const ChosenLoad& load;
+  double datum;
+  bool is_tangential;
+  elasticity::SurfaceQuadrature by_quadrature{material, load.load, datum};
 
-// The same function, but infinite where the load jumps by more than `least`: any jump for the
-// gradient, a concentrated force for the displacement.
-Function infinite_at_jumps(const Function& function, const ChosenLoad& load, double least) {
-  const auto infinite_at = [&load, least](double x) {
+  Estimate gradient(double x) const {
+    if (is_tangential) return by_quadrature.tangential_gradient(x);
     const double jump = load.jump_at(x);
-    return std::abs(jump) > least ? std::copysign(HUGE_VAL, jump) : 0;
-  };
-  Function guarded = function;
-  guarded.quadrature = [=](double x) {
-    const double infinite = infinite_at(x);
-    return infinite == 0 ? function.quadrature(x) : Estimate{infinite, 0};
-  };
-  if (!function.closed_form) return guarded;
-  guarded.closed_form = [=](double x) {
-    const double infinite = infinite_at(x);
-    return infinite == 0 ? function.closed_form(x) : infinite;
-  };
-  return guarded;
-}
-
-// The gradient and the displacement of one component.
-std::pair<Function, Function> functions_of(const elasticity::SurfaceQuadrature& quadrature,
-                                           const ClosedForms& closed, const ChosenLoad& load,
-                                           bool is_tangential, const std::string& length) {
-  if (is_tangential) {
-    return {
-        {"gradient", "du_x/dx", "1", [&](double x) { return quadrature.tangential_gradient(x); },
-         closed.tangential_gradient},
-        {"displacement", "u_x", length,
-         [&](double x) { return quadrature.tangential_displacement(x); },
-         closed.tangential_displacement}};
+    return jump == 0 ? by_quadrature.normal_gradient(x) : Estimate{infinite(jump), 0};
   }
-  const Function gradient{"gradient", "du_z/dx", "1",
-                          [&](double x) { return quadrature.normal_gradient(x); },
-                          closed.normal_gradient};
-  const Function displacement{"displacement", "u_z", length,
-                              [&](double x) { return quadrature.normal_displacement(x); },
-                              closed.normal_displacement};
-  constexpr double finite = std::numeric_limits<double>::max();
-  return {infinite_at_jumps(gradient, load, 0), infinite_at_jumps(displacement, load, finite)};
-}
+
+  Estimate displacement(double x) const {
+    if (is_tangential) return by_quadrature.tangential_displacement(x);
+    const double jump = load.jump_at(x);
+    return std::isinf(jump) ? Estimate{jump, 0} : by_quadrature.normal_displacement(x);
+  }
+
+  double closed_gradient(double x) const {
+    if (is_tangential) return elasticity::tangential_gradient(material, load.load, x);
+    if (const double jump = load.jump_at(x); jump != 0) return infinite(jump);
+    return std::visit([&](const auto& shape) { return normal_gradient(material, shape, x); },
+                      *load.shape);
+  }
+
+  double closed_displacement(double x) const {
+    if (const double jump = load.jump_at(x); std::isinf(jump)) return jump;
+    return std::visit(
+        [&](const auto& shape) {
+          if constexpr (requires { tangential_displacement(material, shape, x); }) {
+            if (is_tangential) return tangential_displacement(material, shape, x);
+          }
+          return normal_displacement(material, shape, x, datum);
+        },
+        *load.shape);
+  }
+
+  static double infinite(double jump) { return std::copysign(HUGE_VAL, jump); }
+};
 
 // The function's values at all points.
 struct Numbers {
@@ -117,14 +111,23 @@ struct Numbers {
   }
 };
 
+// The name of a function in CSV, in the table, and its unit.
+struct Names {
+  std::string key, symbol, unit;
+};
+
 // Computes the numbers and adds them to the table.
-Numbers add_columns(Table& table, const Function& function, const std::vector<double>& points) {
+Numbers add_columns(Table& table, const Names& function, const Surface& surface,
+                    Estimate (Surface::*quadrature)(double) const,
+                    double (Surface::*closed_form)(double) const,
+                    const std::vector<double>& points) {
   Numbers numbers;
+  const bool has_closed_form = surface.load.shape.has_value();
   for (const double x : points) {
-    const Estimate estimate = function.quadrature(x);
+    const Estimate estimate = (surface.*quadrature)(x);
     numbers.quadrature.push_back(estimate.value);
     numbers.abs_error.push_back(estimate.abs_error);
-    if (function.closed_form) numbers.closed_form.push_back(function.closed_form(x));
+    if (has_closed_form) numbers.closed_form.push_back((surface.*closed_form)(x));
   }
   constexpr int most = 9, of_error = 2;
   const double largest = greatest(numbers.quadrature), error = greatest(numbers.abs_error);
@@ -136,7 +139,7 @@ Numbers add_columns(Table& table, const Function& function, const std::vector<do
   add("_quadrature", "quadrature", numbers.quadrature);
   table.push_back(aligned_column(function.key + "_abs_error", {"error", ""}, function.unit,
                                  numbers.abs_error, error, of_error));
-  if (!function.closed_form) return numbers;
+  if (!has_closed_form) return numbers;
   table.back().heads.clear();  // the text has the closed form instead
   add("_closed_form", "closed form", numbers.closed_form);
   return numbers;
@@ -150,7 +153,7 @@ void add_notes(std::vector<std::string>& notes, const ChosenLoad& load, const Nu
   const std::size_t n = gradient.closed_form.size();
   std::size_t n_agreeing = 0;
   for (std::size_t i = 0; i < n; ++i) n_agreeing += gradient.agree(i) && displacement.agree(i);
-  notes.push_back(load.source.empty() ? "no closed form is known" : "closed form: " + load.source);
+  notes.push_back(load.shape ? "closed form: " + load.source : "no closed form is known");
   if (n == 0) return;
   notes.push_back(fmt::format("{} of {} points agree within their errors", n_agreeing, n));
 }
@@ -174,28 +177,30 @@ void run(const DisplacementOptions& options) {
   const std::vector<double> points = points_of(options, from_case, load, units);
   const double datum = datum_of(options, from_case, load, units);
 
-  const elasticity::SurfaceQuadrature quadrature(material, load.load, datum);
-  const ClosedForms closed = load.closed_forms ? load.closed_forms(material, datum) : ClosedForms();
-  const auto [gradient, displacement] =
-      functions_of(quadrature, closed, load, is_tangential, units.length);
+  const Surface surface{material, load, datum, is_tangential};
+  const std::string symbol = is_tangential ? "u_x" : "u_z";
   Result result{.table_in_json = InJson::rows, .notes = note_of(assumed)};
   result.table.push_back(column_of_places("x", units.length, points));
-  const Numbers gradients = add_columns(result.table, gradient, points);
-  const Numbers displacements = add_columns(result.table, displacement, points);
+  const Numbers gradients =
+      add_columns(result.table, {"gradient", "d" + symbol + "/dx", "1"}, surface,
+                  &Surface::gradient, &Surface::closed_gradient, points);
+  const Numbers displacements =
+      add_columns(result.table, {"displacement", symbol, units.length}, surface,
+                  &Surface::displacement, &Surface::closed_displacement, points);
   result.units = {{"x", units.length}, {"gradient", "1"}, {"displacement", units.length}};
   if (!is_tangential) {
     result.notes.push_back(fmt::format("u_z = 0 at x = {} {}", rounded(datum), units.length));
   }
   add_notes(result.notes, load, gradients, displacements, units.length);
-  options.output.print(result, [&, &u = displacement] {
+  options.output.print(result, [&] {
     const auto [low, high] = std::ranges::minmax(points);
-    const auto value = [&u](double x) {
-      const double u_at = u.closed_form ? u.closed_form(x) : u.quadrature(x).value;
-      return std::isinf(u_at) ? std::nan("") : u_at;
+    const auto value = [&](double x) {
+      const double u = load.shape ? surface.closed_displacement(x) : surface.displacement(x).value;
+      return std::isinf(u) ? std::nan("") : u;
     };
     return Picture{fmt::format("x ({})", units.length),
-                   fmt::format("{} ({})", u.symbol, units.length),
-                   {line(u.closed_form ? "closed form" : "quadrature", low, high, value),
+                   fmt::format("{} ({})", symbol, units.length),
+                   {line(load.shape ? "closed form" : "quadrature", low, high, value),
                     {"quadrature at the points", false, points, displacements.quadrature}}};
   });
 }

@@ -13,59 +13,29 @@
 #include <utility>
 
 #include "app/csv_files.hpp"
-#include "config/units.hpp"
-#include "elasticity/concentrated_load.hpp"
-#include "elasticity/load_shapes.hpp"
 #include "system/error.hpp"
 
 namespace app {
 namespace {
 
-using elasticity::Load;
-using elasticity::Material;
-
-std::vector<std::string> names_of(Shapes shapes) {
-  std::vector<std::string> names = {"triangular", "uniform", "linear:FRACTION"};
-  if (shapes == Shapes::any) names.emplace_back("concentrated");
-  if (shapes != Shapes::without_input)
-    names.insert(names.end(), {"file:PATH", "expression:FORMULA"});
-  return names;
+// The name of each shape, with a parameter behind a colon, and its help.
+const std::vector<std::pair<std::string, std::string>>& all_shapes() {
+  static const std::vector<std::pair<std::string, std::string>> all = {
+      {"triangular", "triangular"},
+      {"uniform", "uniform, a strip load"},
+      {"linear:FRACTION",
+       "linear:FRACTION, falling from the peak in the middle to this fraction of it at the edges"},
+      {"file:PATH", "file:PATH, a CSV file with the columns x,pressure, linear between its points"},
+      {"expression:FORMULA",
+       "expression:FORMULA of x, a and p0, such as 'expression:p0*(1-(x/a)^4)'"},
+      {"concentrated", "concentrated, a force at x = 0"}};
+  return all;
 }
 
 std::string help_of(Shapes shapes) {
-  std::string help =
-      "Pressure on |x| <= a: triangular; uniform, a strip load; linear:FRACTION, falling from the "
-      "peak in the middle to this fraction of it at the edges";
-  if (shapes == Shapes::any) help += "; concentrated, a force at x = 0";
-  if (shapes != Shapes::without_input) {
-    help +=
-        "; file:PATH, a CSV file with the columns x,pressure, linear between its points; "
-        "expression:FORMULA of x, a and p0, such as 'expression:p0*(1-(x/a)^4)'";
-  }
+  std::string help = "Pressure on |x| <= a";
+  for (std::size_t i = 0; i < shapes; ++i) help += (i == 0 ? ": " : "; ") + all_shapes()[i].second;
   return help + (shapes == Shapes::of_finite_width ? "" : " [triangular]");
-}
-
-// A load with closed forms, such as TriangularLoad, from the functions of the namespace elasticity.
-template <class Shape>
-ChosenLoad known_load(const Shape& shape, const std::string& source, std::vector<double> x,
-                      std::vector<double> pressure) {
-  const auto closed_forms = [shape](const Material& material, double datum) {
-    ClosedForms forms;
-    forms.normal_gradient = [=](double at) { return normal_gradient(material, shape, at); };
-    forms.normal_displacement = [=](double at) {
-      return normal_displacement(material, shape, at, datum);
-    };
-    if constexpr (requires { tangential_displacement(material, shape, 0.0); }) {
-      forms.tangential_gradient = [=, load = Load(shape)](double at) {
-        return elasticity::tangential_gradient(material, load, at);
-      };
-      forms.tangential_displacement = [=](double at) {
-        return tangential_displacement(material, shape, at);
-      };
-    }
-    return forms;
-  };
-  return {shape, source, closed_forms, std::move(x), std::move(pressure)};
 }
 
 ChosenLoad load_of_file(const std::string& file) {
@@ -159,7 +129,7 @@ double ChosenLoad::jump_at(double at) const {
 }
 
 LoadFlags::LoadFlags(CLI::App& command, const std::string& names, Shapes which)
-    : shapes(names_of(which)),
+    : shapes(which),
       shape(command, names, "SHAPE", "Load", help_of(which)),
       peak_pressure(command, "--peak-pressure", "STRESS", "Load", "Greatest pressure p0"),
       half_width(command, "--half-width", "LENGTH", "Load", "Half-width a of the load") {
@@ -173,10 +143,13 @@ ChosenLoad LoadFlags::read(const std::optional<elasticity::TriangularLoad>& from
   const std::string given = shape.text_or("triangular");
   const std::string kind = given.substr(0, given.find(':') + (given.find(':') < given.size()));
   const std::string argument = given.substr(kind.size());
-  const bool is_known = std::ranges::any_of(shapes, [&](const std::string& known) {
-    return kind.ends_with(':') ? known.starts_with(kind) : known == kind;
-  });
-  if (!is_known) shape.refuse(fmt::format("must be one of {}", fmt::join(shapes, ", ")));
+  bool is_known = false;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < shapes; ++i) {
+    names.push_back(all_shapes()[i].first);
+    is_known |= kind.ends_with(':') ? names[i].starts_with(kind) : names[i] == kind;
+  }
+  if (!is_known) shape.refuse(fmt::format("must be one of {}", fmt::join(names, ", ")));
   if (kind == "file:" || kind == "concentrated")
     refuse_given({&peak_pressure, &half_width}, name());
   if (line_load && kind != "concentrated") refuse_given({&*line_load}, name());
@@ -189,8 +162,8 @@ ChosenLoad LoadFlags::read(const std::optional<elasticity::TriangularLoad>& from
   if (kind == "file:") return load_of_file(argument);
   if (kind == "concentrated") {
     const Needed force{*line_load, units.line_load, from(&elasticity::TriangularLoad::line_load)};
-    return known_load(elasticity::ConcentratedLoad(app::read({force})[0]), "Johnson, section 2.2",
-                      {}, {});
+    const elasticity::ConcentratedLoad load(app::read({force})[0]);
+    return {load, load, "Johnson, section 2.2"};
   }
   if (kind == "expression:") {
     const auto p0 = peak_pressure.positive(units.stress);
@@ -201,16 +174,18 @@ ChosenLoad LoadFlags::read(const std::optional<elasticity::TriangularLoad>& from
       app::read({{peak_pressure, units.stress, p0_of_case}, {half_width, units.length, a_of_case}});
   const double p0 = numbers[0], a = numbers[1];
   if (kind == "uniform") {
-    return known_load(elasticity::UniformLoad(p0, a), "Johnson, section 2.5", {-a, a}, {p0, p0});
+    const elasticity::UniformLoad load(p0, a);
+    return {load, load, "Johnson, section 2.5", {-a, a}, {p0, p0}};
   }
   if (kind == "linear:") {
     const double fraction = parse_number(name(), argument);
     if (!(fraction >= 0)) shape.refuse("the fraction must be 0 or greater");
+    const elasticity::LinearFall load(p0, fraction, a);
     const double edge = fraction * p0;
-    return known_load(elasticity::LinearFall(p0, fraction, a), "eq. (3) and Johnson, section 2.5",
-                      {-a, 0, a}, {edge, p0, edge});
+    return {load, load, "eq. (3) and Johnson, section 2.5", {-a, 0, a}, {edge, p0, edge}};
   }
-  return known_load(elasticity::TriangularLoad(p0, a), "eq. (3)", {-a, 0, a}, {0, p0, 0});
+  const elasticity::TriangularLoad load(p0, a);
+  return {load, load, "eq. (3)", {-a, 0, a}, {0, p0, 0}};
 }
 
 }  // namespace app

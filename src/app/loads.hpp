@@ -2,30 +2,28 @@
 // The pressure on a surface that --shape names.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/flags.hpp"
 #include "config/units.hpp"
+#include "elasticity/concentrated_load.hpp"
 #include "elasticity/load.hpp"
-#include "elasticity/material.hpp"
+#include "elasticity/load_shapes.hpp"
 #include "elasticity/triangular_load.hpp"
 
 namespace app {
 
-/// Functions of x on the surface; empty where no closed form is known.
-struct ClosedForms {
-  std::function<double(double)> normal_gradient, normal_displacement;
-  std::function<double(double)> tangential_gradient, tangential_displacement;
-};
+/// A load whose displacements have a closed form.
+using Shape = std::variant<elasticity::TriangularLoad, elasticity::UniformLoad,
+                           elasticity::LinearFall, elasticity::ConcentratedLoad>;
 
-/// A load with its closed forms and samples.
 struct ChosenLoad {
   elasticity::Load load;
-  std::string source = {};  ///< reference of the closed forms; empty if there are none
-  std::function<ClosedForms(const elasticity::Material&, double datum)> closed_forms = {};
+  std::optional<Shape> shape = {};  ///< none for a file or a formula
+  std::string source = {};          ///< reference of the closed form
   /// The pressure at these x, linear between them and zero outside: a fine sample of a formula;
   /// empty for a concentrated force.
   std::vector<double> x = {}, pressure = {};
@@ -38,7 +36,9 @@ struct ChosenLoad {
   double jump_at(double x) const;
 };
 
-enum class Shapes { any, of_finite_width, without_input };
+/// The shapes that a command knows, as a number of the first ones in the list: all but those from
+/// files and formulas and the concentrated force, all but the concentrated force, or all.
+enum Shapes : std::size_t { named = 3, of_finite_width = 5, any = 6 };
 
 /// The flags that describe a load.
 struct LoadFlags {
@@ -52,7 +52,7 @@ struct LoadFlags {
   ChosenLoad read(const std::optional<elasticity::TriangularLoad>& from_case,
                   const config::UnitSystem& units) const;
 
-  std::vector<std::string> shapes;
+  Shapes shapes;
   Flag shape, peak_pressure, half_width;
   std::optional<Flag> line_load;  ///< if a concentrated force is among the shapes
 };

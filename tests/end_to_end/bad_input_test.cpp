@@ -73,8 +73,8 @@ BOOST_AUTO_TEST_CASE(unknown_choices) {
       {"point-contact --load 1 --profile cone",
        "--profile = cone: must be sphere, file:PATH or heights:PATH"},
       {"displacement --shape square",
-       "--shape = square: must be one of triangular, uniform, linear:FRACTION, concentrated, "
-       "file:PATH, expression:FORMULA"},
+       "--shape = square: must be one of triangular, uniform, linear:FRACTION, file:PATH, "
+       "expression:FORMULA, concentrated"},
       {"block --shape concentrated",
        "--shape = concentrated: must be one of triangular, uniform, linear:FRACTION"},
       {"block --peak-pressure 1 --half-width 1 --width 9 --height 9 --sides glued",
