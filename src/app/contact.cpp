@@ -121,15 +121,10 @@ SolvedContact ContactFlags::solve(const Given& given) const {
   if (!place) place = of_case(from_case, &ContactCase::datum);
 
   const command_line::Stopwatch stopwatch;
-  SolvedContact solved{both.first,
-                       both.second,
-                       solution_of(chosen, problem, p),
-                       chosen,
-                       place,
-                       bodies.hertz,
-                       stopwatch.seconds(),
-                       note_of(assumed),
-                       {}};
+  SolvedContact solved{both.first,       solution_of(chosen, problem, p),
+                       chosen,           place,
+                       bodies.hertz,     stopwatch.seconds(),
+                       note_of(assumed), {}};
   solved.warnings = half_space_warnings(solved.half_width(), bodies.least_radius);
   const std::string coarse = contact::resolution_warning(solved.solution.resolution());
   if (!coarse.empty()) solved.warnings.push_back(coarse);

@@ -17,7 +17,7 @@ namespace app {
 
 /// A contact described by the command line and the case, with its solution.
 struct SolvedContact {
-  Material material1, material2;
+  Material material;  ///< of body 1
   line_contact::Solution solution;
   std::string method;
   std::optional<double> datum;

@@ -55,8 +55,13 @@ double datum_of(const DisplacementOptions& options, const HalfSpace& from_case,
   return 10 * load.reach();
 }
 
-// The surface under a load: one component of its displacement and the gradient, by quadrature and
-// in closed form.
+// A function at a point, by quadrature and in closed form, which is NaN if none is known.
+struct Value {
+  Estimate quadrature;
+  double closed_form;
+};
+
+// The surface under a load: one component of its displacement and the gradient.
 struct Surface {
   const Material& material;
   const ChosenLoad& load;
@@ -64,38 +69,39 @@ struct Surface {
   bool is_tangential;
   elasticity::SurfaceQuadrature by_quadrature{material, load.load, datum};
 
-  Estimate gradient(double x) const {
-    if (is_tangential) return by_quadrature.tangential_gradient(x);
-    const double jump = load.jump_at(x);
-    return jump == 0 ? by_quadrature.normal_gradient(x) : Estimate{infinite(jump), 0};
-  }
-
-  Estimate displacement(double x) const {
-    if (is_tangential) return by_quadrature.tangential_displacement(x);
-    const double jump = load.jump_at(x);
-    return std::isinf(jump) ? Estimate{jump, 0} : by_quadrature.normal_displacement(x);
-  }
-
-  double closed_gradient(double x) const {
-    if (is_tangential) return elasticity::tangential_gradient(material, load.load, x);
+  Value gradient(double x) const {
+    if (is_tangential) {
+      const double slope = elasticity::tangential_gradient(material, load.load, x);
+      return {by_quadrature.tangential_gradient(x), slope};
+    }
     if (const double jump = load.jump_at(x); jump != 0) return infinite(jump);
-    return std::visit([&](const auto& shape) { return normal_gradient(material, shape, x); },
-                      *load.shape);
+    return {by_quadrature.normal_gradient(x),
+            closed_form([&](const auto& shape) { return normal_gradient(material, shape, x); })};
   }
 
-  double closed_displacement(double x) const {
-    if (const double jump = load.jump_at(x); std::isinf(jump)) return jump;
-    return std::visit(
-        [&](const auto& shape) {
-          if constexpr (requires { tangential_displacement(material, shape, x); }) {
-            if (is_tangential) return tangential_displacement(material, shape, x);
-          }
-          return normal_displacement(material, shape, x, datum);
-        },
-        *load.shape);
+  Value displacement(double x) const {
+    if (const double jump = load.jump_at(x); std::isinf(jump)) return infinite(jump);
+    const double closed = closed_form([&](const auto& shape) {
+      if constexpr (requires { tangential_displacement(material, shape, x); }) {
+        if (is_tangential) return tangential_displacement(material, shape, x);
+      }
+      return normal_displacement(material, shape, x, datum);
+    });
+    return {is_tangential ? by_quadrature.tangential_displacement(x)
+                          : by_quadrature.normal_displacement(x),
+            closed};
   }
 
-  static double infinite(double jump) { return std::copysign(HUGE_VAL, jump); }
+ private:
+  static Value infinite(double sign) {
+    const double value = std::copysign(HUGE_VAL, sign);
+    return {{value, 0}, value};
+  }
+
+  template <class OfShape>
+  double closed_form(const OfShape& of_shape) const {
+    return load.shape ? std::visit(of_shape, *load.shape) : std::nan("");
+  }
 };
 
 // The function's values at all points.
@@ -118,16 +124,13 @@ struct Names {
 
 // Computes the numbers and adds them to the table.
 Numbers add_columns(Table& table, const Names& function, const Surface& surface,
-                    Estimate (Surface::*quadrature)(double) const,
-                    double (Surface::*closed_form)(double) const,
-                    const std::vector<double>& points) {
+                    Value (Surface::*value_at)(double) const, const std::vector<double>& points) {
   Numbers numbers;
-  const bool has_closed_form = surface.load.shape.has_value();
   for (const double x : points) {
-    const Estimate estimate = (surface.*quadrature)(x);
-    numbers.quadrature.push_back(estimate.value);
-    numbers.abs_error.push_back(estimate.abs_error);
-    if (has_closed_form) numbers.closed_form.push_back((surface.*closed_form)(x));
+    const Value value = (surface.*value_at)(x);
+    numbers.quadrature.push_back(value.quadrature.value);
+    numbers.abs_error.push_back(value.quadrature.abs_error);
+    numbers.closed_form.push_back(value.closed_form);
   }
   constexpr int most = 9, of_error = 2;
   const double largest = greatest(numbers.quadrature), error = greatest(numbers.abs_error);
@@ -139,7 +142,7 @@ Numbers add_columns(Table& table, const Names& function, const Surface& surface,
   add("_quadrature", "quadrature", numbers.quadrature);
   table.push_back(aligned_column(function.key + "_abs_error", {"error", ""}, function.unit,
                                  numbers.abs_error, error, of_error));
-  if (!has_closed_form) return numbers;
+  if (!surface.load.shape) return numbers;
   table.back().heads.clear();  // the text has the closed form instead
   add("_closed_form", "closed form", numbers.closed_form);
   return numbers;
@@ -150,11 +153,11 @@ void add_notes(std::vector<std::string>& notes, const ChosenLoad& load, const Nu
   notes.push_back(fmt::format("errors of the quadrature: at most {:.1e} and {:.1e} {}",
                               greatest(gradient.abs_error), greatest(displacement.abs_error),
                               length));
+  notes.push_back(load.shape ? "closed form: " + load.source : "no closed form is known");
+  if (!load.shape) return;
   const std::size_t n = gradient.closed_form.size();
   std::size_t n_agreeing = 0;
   for (std::size_t i = 0; i < n; ++i) n_agreeing += gradient.agree(i) && displacement.agree(i);
-  notes.push_back(load.shape ? "closed form: " + load.source : "no closed form is known");
-  if (n == 0) return;
   notes.push_back(fmt::format("{} of {} points agree within their errors", n_agreeing, n));
 }
 
@@ -181,12 +184,10 @@ void run(const DisplacementOptions& options) {
   const std::string symbol = is_tangential ? "u_x" : "u_z";
   Result result{.table_in_json = InJson::rows, .notes = note_of(assumed)};
   result.table.push_back(column_of_places("x", units.length, points));
-  const Numbers gradients =
-      add_columns(result.table, {"gradient", "d" + symbol + "/dx", "1"}, surface,
-                  &Surface::gradient, &Surface::closed_gradient, points);
-  const Numbers displacements =
-      add_columns(result.table, {"displacement", symbol, units.length}, surface,
-                  &Surface::displacement, &Surface::closed_displacement, points);
+  const Numbers gradients = add_columns(result.table, {"gradient", "d" + symbol + "/dx", "1"},
+                                        surface, &Surface::gradient, points);
+  const Numbers displacements = add_columns(result.table, {"displacement", symbol, units.length},
+                                            surface, &Surface::displacement, points);
   result.units = {{"x", units.length}, {"gradient", "1"}, {"displacement", units.length}};
   if (!is_tangential) {
     result.notes.push_back(fmt::format("u_z = 0 at x = {} {}", rounded(datum), units.length));
@@ -195,7 +196,8 @@ void run(const DisplacementOptions& options) {
   options.output.print(result, [&] {
     const auto [low, high] = std::ranges::minmax(points);
     const auto value = [&](double x) {
-      const double u = load.shape ? surface.closed_displacement(x) : surface.displacement(x).value;
+      const Value at = surface.displacement(x);
+      const double u = load.shape ? at.closed_form : at.quadrature.value;
       return std::isinf(u) ? std::nan("") : u;
     };
     return Picture{fmt::format("x ({})", units.length),

@@ -80,10 +80,11 @@ void require_drawable(const Flag& where) {
   if (!folder.empty() && !fs::is_directory(folder)) where.refuse("folder does not exist");
 }
 
-// Draws the picture. A file is renamed into place once it is complete.
+// Draws the picture.
 void draw(const Picture& picture, const std::string& where) {
   const bool is_text = where == "-";
-  const std::string part = where + ".part";
+  std::error_code ignored;
+  if (!is_text) fs::remove(where, ignored);
   std::fflush(stdout);  // gnuplot writes to the same terminal
   {
     // Default settings ignore the user's ~/.gnuplot. The dumb terminal starts with a form feed and
@@ -92,17 +93,12 @@ void draw(const Picture& picture, const std::string& where) {
         "LC_ALL=C.UTF-8 '" + sys::find_tool("gnuplot").string() + "' --default-settings";
     Gnuplot gnuplot(is_text ? program + " | tr -d '\\f'; echo" : program);
     set_up(gnuplot, picture, terminals().at(ending_of(where)), is_text);
-    if (!is_text) gnuplot << "set output " << quoted(part) << "\n";
+    if (!is_text) gnuplot << "set output " << quoted(where) << "\n";
     plot(gnuplot, picture.curves, is_text);
   }
-  if (is_text) return;
-  std::error_code error;
-  if (!fs::is_regular_file(part, error) || fs::file_size(part, error) == 0) {
-    fs::remove(part, error);
+  if (!is_text && !fs::exists(where, ignored)) {
     throw sys::ToolError(fmt::format("gnuplot could not draw {}", where));
   }
-  fs::rename(part, where, error);
-  if (error) throw sys::InputError(fmt::format("--plot = {}: {}", where, error.message()));
 }
 
 }  // namespace

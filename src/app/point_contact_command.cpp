@@ -46,9 +46,9 @@ struct PointContactOptions {
   RadiusFlags radius2{command, "2", "Radius of body 2 [plane]"};
   PairOfMaterialFlags materials{command};
   Flag profile{
-      command, "--profile", "sphere|file:PATH|heights:PATH", "Bodies",
-      "Gap between the unloaded bodies: from their radii, or measured: a CSV grid of gaps, or "
-      "of the heights of a surface, one line per y [sphere]"};
+      command, "--profile", "sphere|heights:PATH", "Bodies",
+      "Gap between the unloaded bodies: from their radii, or measured: a CSV grid of the heights "
+      "of a surface, one line per y [sphere]"};
   Flag spacing{command, "--spacing", "LENGTH", "Bodies", "Distance between measured points"};
   Flag nodes{command, "--nodes", "COUNT", "Solution",
              "Number of nodes along the longer side of the domain [256]"};
@@ -63,9 +63,7 @@ struct PointContactOptions {
                  "Error of the pressure, relative to the peak [1e-8]"};
   Output output{command, "[contact], for its bodies"};
 
-  bool is_measured() const {
-    return profile.text().starts_with("file:") || profile.text().starts_with("heights:");
-  }
+  bool is_measured() const { return profile.text().starts_with("heights:"); }
 };
 
 // Two unloaded bodies, and the closed form of their contact if there is one.
@@ -124,10 +122,8 @@ Bodies bodies_of(const PointContactOptions& options, const std::optional<Contact
     refuse_given({&flags->radius, &flags->along_x, &flags->along_y}, "--profile " + given);
   }
   const double spacing = read({{options.spacing, units.length}})[0];
-  const Eigen::ArrayXXd numbers = read_grid(given.substr(given.find(':') + 1));
-  const Eigen::ArrayXXd gaps =
-      given.starts_with("file:") ? numbers : (numbers.maxCoeff() - numbers).eval();
-  return {point_contact::Profile::height_map(gaps, spacing)};
+  const Eigen::ArrayXXd heights = read_grid(given.substr(given.find(':') + 1));
+  return {point_contact::Profile::height_map(heights.maxCoeff() - heights, spacing)};
 }
 
 point_contact::Grid grid_of(const PointContactOptions& options, const Bodies& bodies,
@@ -262,7 +258,7 @@ void run(const PointContactOptions& options) {
                           {"load", units.force},
                           {"contact_area", units.length + "^2"}}};
   if (!options.is_measured() && options.profile.text_or("sphere") != "sphere") {
-    options.profile.refuse("must be sphere, file:PATH or heights:PATH");
+    options.profile.refuse("must be sphere or heights:PATH");
   }
   if (!from_case && !options.is_measured() && !options.radius1.has_two()) {
     require_given({&options.radius1.radius, &options.load});

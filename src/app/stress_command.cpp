@@ -23,7 +23,6 @@ struct StressOptions {
   Flag x{command, "--x", "LENGTH", "Points", "Positions along the surface, a list or a range [0]"};
   Flag z{command, "--z", "LENGTH", "Points",
          "Depths, a list or a range, combined with every x [to twice the half-width]"};
-  Flag body{command, "--body", "1|2", "Points", "Body of the contact [1]"};
   Output output{command, "[contact], or [half_space] with --shape"};
 };
 
@@ -41,7 +40,7 @@ Pressed pressed_by_load(const StressOptions& options, const Given& given) {
   if (given.file) from_case = given.file->half_space();
   const ContactFlags& contact = options.contact;
   refuse_given({&contact.load, &contact.radius1, &contact.radius2, &contact.profile, &contact.nodes,
-                &contact.domain, &contact.method, &options.body},
+                &contact.domain, &contact.method},
                options.load.name());
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), given.units);
@@ -64,14 +63,13 @@ Pressed pressed_by_contact(const StressOptions& options, const Given& given) {
   if (options.contact.element.text_or("triangular") != "triangular") {
     options.contact.element.refuse("stresses need triangular elements");
   }
-  const bool is_second = options.body.choice_or(false, {{"1", false}, {"2", true}});
   const SolvedContact solved = options.contact.solve(given);
   Pressed pressed{
       [s = solved.solution](double x, double z) { return line_contact::stress_beneath(s, x, z); },
       {},
       solved.half_width(),
       solved.solution.peak_pressure(),
-      is_second ? solved.material2 : solved.material1,
+      solved.material,
       solved.notes,
       solved.warnings};
   if (solved.hertz) {

@@ -70,8 +70,7 @@ BOOST_AUTO_TEST_CASE(unknown_choices) {
        "--element = hat: must be point, triangular or uniform"},
       {"contact --radius1 1 --load 1 --profile wedge",
        "--profile = wedge: must be cylinder or file:PATH"},
-      {"point-contact --load 1 --profile cone",
-       "--profile = cone: must be sphere, file:PATH or heights:PATH"},
+      {"point-contact --load 1 --profile cone", "--profile = cone: must be sphere or heights:PATH"},
       {"displacement --shape square",
        "--shape = square: must be one of triangular, uniform, linear:FRACTION, file:PATH, "
        "expression:FORMULA, concentrated"},
