@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
@@ -26,8 +27,11 @@ struct BlockOptions {
   MaterialFlags material{command};
   Flag width{command, "--width", "LENGTH", "Block", "Width; the load is in the middle of the top"};
   Flag height{command, "--height", "LENGTH", "Block", "Height"};
-  Flag sides{command, "--sides", "clamped|roller|free", "Block",
-             "Supports on the left and right; the bottom is clamped [clamped, or the case's]"};
+  Choice sides{command,
+               "--sides",
+               {"clamped", "roller", "free"},
+               "Block",
+               "Supports on the left and right; the bottom is clamped [clamped, or the case's]"};
   Flag x{command, "--x", "LENGTH", "Block",
          "Points on the top whose displacements are measure1, measure2, ... [the case's]"};
   Flag order{command, "--order", "COUNT", "Solution",
@@ -51,7 +55,7 @@ std::string earned(const numerics::Estimate& estimate) {
 }
 
 void add_measures(Result& result, const std::vector<block::MeasureEstimate>& measures,
-                  const config::UnitSystem& units) {
+                  const config::UnitSystem& units, bool with_table) {
   Column names{.key = "measure", .heads = {"measure"}};
   Column values{.key = "value", .heads = {"value"}};
   Column errors{.key = "abs_error", .heads = {"error"}};
@@ -67,7 +71,7 @@ void add_measures(Result& result, const std::vector<block::MeasureEstimate>& mea
     result.details["measures"][name] = {
         {"value", values.numbers.back()}, {"abs_error", estimate.abs_error}, {"unit", unit}};
   }
-  result.table = {names, values, errors, of_units};
+  if (with_table) result.table = {names, values, errors, of_units};
 }
 
 // Lists the discs that the maxima exclude, because stresses have no limit there.
@@ -106,9 +110,11 @@ void run(const BlockOptions& options) {
                                       rounded(2 * load.reach()), units.length));
   }
   const block::Rectangle rectangle(sizes[0], sizes[1]);
-  const Support sides = options.sides.choice_or(
-      of_case(from_case, &BlockCase::sides).value_or(Support::clamped),
-      {{"clamped", Support::clamped}, {"roller", Support::roller}, {"free", Support::free}});
+  const std::map<std::string, Support> supports = {
+      {"clamped", Support::clamped}, {"roller", Support::roller}, {"free", Support::free}};
+  const Support sides = options.sides.is_given()
+                            ? supports.at(options.sides.text())
+                            : of_case(from_case, &BlockCase::sides).value_or(Support::clamped);
   block::Discretization discretization;
   if (from_case) discretization = from_case->discretization;
   discretization.order =
@@ -123,14 +129,14 @@ void run(const BlockOptions& options) {
   const block::SupportedBlock supported = analysis.on(block::with_sides(sides));
   const block::RefinedSolution solution = supported.solve(load.load);
   const auto measures = solution.measures(points);
-  Result result{.table_in_json = InJson::nothing, .notes = note_of(assumed)};
+  Result result{.notes = note_of(assumed)};
   result.details = {{"order", discretization.order},
                     {"elements", analysis.fine()->mesh().n_elements()},
                     {"unknowns", supported.fine().n_unknowns()},
                     {"seconds", stopwatch.seconds()}};
   result.notes.push_back(
       fmt::format("{} unknowns; x along the top, y upwards", supported.fine().n_unknowns()));
-  add_measures(result, measures, units);
+  add_measures(result, measures, units, options.output.format() != "json");
   add_left_out(result, solution.left_out(), units.length);
   options.output.print(result, [&] {
     return Picture{fmt::format("x ({})", units.length),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "app/csv_files.hpp"
@@ -108,15 +109,13 @@ SolvedContact ContactFlags::solve(const Given& given) const {
   const long n_nodes = nodes.count(line_contact::min_nodes, line_contact::max_nodes)
                            .value_or(from_case ? from_case->n_nodes : usual_nodes);
   const std::string usual = n_nodes <= quickly_inverted ? "matrix-inversion" : "fft";
-  const std::string chosen = method.choice_or(
-      usual,
-      {{"matrix-inversion", "matrix-inversion"}, {"variational", "variational"}, {"fft", "fft"}});
+  const std::string chosen = method.text_or(usual);
+  const std::map<std::string, Element> elements = {{"triangular", Element::triangular},
+                                                   {"uniform", Element::uniform},
+                                                   {"point", Element::point}};
   const line_contact::Problem problem{
       bodies.profile, elasticity::contact_modulus(both.first, both.second),
-      grid_of(*this, bodies, n_nodes, units),
-      element.choice_or(Element::triangular, {{"triangular", Element::triangular},
-                                              {"uniform", Element::uniform},
-                                              {"point", Element::point}})};
+      grid_of(*this, bodies, n_nodes, units), elements.at(element.text_or("triangular"))};
   auto place = datum.positive(units.length);
   if (!place) place = of_case(from_case, &ContactCase::datum);
 

@@ -46,10 +46,16 @@ struct ContactFlags {
   Flag nodes{command, "--nodes", "COUNT", "Solution", "Number of nodes [401, or the case's]"};
   Flag domain{command, "--domain", "LENGTH", "Solution",
               "Width that the nodes fill [a tenth wider than the contact, or the file's]"};
-  Flag element{command, "--element", "triangular|uniform|point", "Solution",
-               "Pressure around a node: a triangle, a strip or a force [triangular]"};
-  Flag method{command, "--method", "matrix-inversion|variational|fft", "Solution",
-              "Solution method [matrix-inversion up to 1000 nodes, then fft]"};
+  Choice element{command,
+                 "--element",
+                 {"triangular", "uniform", "point"},
+                 "Solution",
+                 "Pressure around a node: a triangle, a strip or a force [triangular]"};
+  Choice method{command,
+                "--method",
+                {"matrix-inversion", "variational", "fft"},
+                "Solution",
+                "Solution method [matrix-inversion up to 1000 nodes, then fft]"};
 
   /// Solves the contact; flags override the case. Throws sys::InputError for a flag that is
   /// missing, wrong, or meaningless for the profile, and as the methods.

@@ -120,7 +120,7 @@ void run(const ContactOptions& options) {
       .digits = earned_digits(contact::relative_error(solved.solution.resolution()), most_digits),
       .is_hertz = solved.hertz.has_value(),
       .details = details_of(options.contact, solved),
-      .table = nodes_of(solved, options.output.is_csv()),
+      .table = nodes_of(solved, options.output.format() == "csv"),
       .units = {{"half_width", units.length},
                 {"peak_pressure", units.stress},
                 {"load", units.line_load},

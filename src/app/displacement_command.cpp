@@ -30,8 +30,11 @@ struct DisplacementOptions {
   Flag datum{command, "--datum", "LENGTH", "Points",
              "The x at which u_z = 0, arbitrary in plane strain [ten times the load's "
              "half-width, or the case's]"};
-  Flag component{command, "--component", "normal|tangential", "Points",
-                 "normal is u_z, into the body; tangential is u_x [normal]"};
+  Choice component{command,
+                   "--component",
+                   {"normal", "tangential"},
+                   "Points",
+                   "normal is u_z, into the body; tangential is u_x [normal]"};
   Output output{command, "[half_space]"};
 };
 
@@ -172,8 +175,7 @@ void run(const DisplacementOptions& options) {
                   units.stress, assumed);
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), units);
-  const bool is_tangential =
-      options.component.choice_or(false, {{"normal", false}, {"tangential", true}});
+  const bool is_tangential = options.component.text() == "tangential";
   if (is_tangential && !load.load.forces.empty()) {
     options.component.refuse("has no meaning for " + options.load.name());
   }
@@ -182,7 +184,7 @@ void run(const DisplacementOptions& options) {
 
   const Surface surface{material, load, datum, is_tangential};
   const std::string symbol = is_tangential ? "u_x" : "u_z";
-  Result result{.table_in_json = InJson::rows, .notes = note_of(assumed)};
+  Result result{.notes = note_of(assumed)};
   result.table.push_back(column_of_places("x", units.length, points));
   const Numbers gradients = add_columns(result.table, {"gradient", "d" + symbol + "/dx", "1"},
                                         surface, &Surface::gradient, points);

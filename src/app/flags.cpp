@@ -76,12 +76,6 @@ std::vector<double> range(const Flag& flag, double begin, double end, double ste
   return evenly_spaced(begin, step, static_cast<int>(n_steps + rounding) + 1);
 }
 
-std::string listed(const std::vector<std::string>& names, const char* last) {
-  if (names.size() == 1) return names[0];
-  return fmt::format("{} {} {}", fmt::join(names.begin(), names.end() - 1, ", "), last,
-                     names.back());
-}
-
 }  // namespace
 
 std::string wrapped(const std::string& text) {
@@ -110,12 +104,14 @@ Flag::Flag(CLI::App& command, const std::string& names, const std::string& type,
   command.add_option(names, text_, wrapped(help))->type_name(type)->group(group)->check(is_value);
 }
 
-void Flag::refuse(const std::string& reason) const {
-  throw sys::InputError(fmt::format("{} = {}: {}", name_, text_, reason));
+Choice::Choice(CLI::App& command, const std::string& name, const std::vector<std::string>& choices,
+               const std::string& group, const std::string& help)
+    : Flag(command, name, fmt::format("{}", fmt::join(choices, "|")), group, help) {
+  command.get_option(name)->check(CLI::IsMember(choices).description(""));
 }
 
-void Flag::refuse_choice(const std::vector<std::string>& names) const {
-  refuse("must be " + listed(names, "or"));
+void Flag::refuse(const std::string& reason) const {
+  throw sys::InputError(fmt::format("{} = {}: {}", name_, text_, reason));
 }
 
 std::optional<double> Flag::quantity(const std::string& unit) const {
@@ -183,8 +179,8 @@ void require_given(const std::vector<const Flag*>& flags) {
     if (!flag->is_given()) missing.push_back(flag->name());
   }
   if (missing.empty()) return;
-  throw sys::InputError(listed(missing, "and") + (missing.size() == 1 ? " is" : " are") +
-                        " missing");
+  throw sys::InputError(fmt::format("{} {} missing", fmt::join(missing, " and "),
+                                    missing.size() == 1 ? "is" : "are"));
 }
 
 void refuse_given(const std::vector<const Flag*>& flags, const std::string& choice) {

@@ -2,7 +2,6 @@
 // Flags of the command line: numbers with or without a unit, lists and ranges, names.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,17 +36,6 @@ class Flag {
   /// The text, or `other` without the flag.
   std::string text_or(const std::string& other) const { return is_given() ? text_ : other; }
 
-  /// The meaning of the given name, or `other` without the flag. Throws sys::InputError for an
-  /// unknown name; the message lists the known ones.
-  template <class Meaning>
-  Meaning choice_or(Meaning other, const std::map<std::string, Meaning>& choices) const {
-    if (!is_given()) return other;
-    if (const auto chosen = choices.find(text_); chosen != choices.end()) return chosen->second;
-    std::vector<std::string> names;
-    for (const auto& choice : choices) names.push_back(choice.first);
-    refuse_choice(names);
-  }
-
   /// The quantity in this unit, if it was given: 210GPa, "210 GPa", or a plain number, which is
   /// already in the unit. Unit "1" takes plain numbers only. Throws sys::InputError for anything
   /// but a finite number, and for a unit of a different dimension.
@@ -67,10 +55,15 @@ class Flag {
   [[noreturn]] void refuse(const std::string& reason) const;
 
  private:
-  [[noreturn]] void refuse_choice(const std::vector<std::string>& names) const;
-
   std::string name_;
   std::string text_;
+};
+
+/// A flag whose value must be one of these names, which are its type in the help.
+class Choice : public Flag {
+ public:
+  Choice(CLI::App& command, const std::string& name, const std::vector<std::string>& choices,
+         const std::string& group, const std::string& help);
 };
 
 /// A required quantity: from its flag, else from the case.

@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* group = "Input and output";
-enum class Format { table, csv, json };
 
 const std::map<std::string, std::string>& terminals() {
   static const std::map<std::string, std::string> by_ending = {
@@ -106,36 +105,33 @@ void draw(const Picture& picture, const std::string& where) {
 Output::Output(CLI::App& command, const std::string& tables)
     : case_(command, "--case", "FILE", group,
             "A case file (TOML) with " + tables + "; flags override it"),
-      units_(command, "--units", "mm-N|m-N|in-lbf", group,
+      units_(command, "--units", {"mm-N", "m-N", "in-lbf"}, group,
              "System of units of the result and of plain numbers: mm, N, MPa; m, N, Pa; in, lbf, "
              "psi [mm-N, or the case's]"),
-      format_(command, "--format", "table|csv|json", group,
+      format_(command, "--format", {"table", "csv", "json"}, group,
               "Output format: a rounded table, or CSV or JSON with all digits [table]"),
       plot_(command, "--plot", "FILE", group,
             "Draw the result in a .svg, .png or .pdf file; - draws it in the terminal") {}
 
 Given Output::given() const {
-  const auto units = units_.choice_or<std::string>(
-      "mm-N", {{"mm-N", "mm-N"}, {"m-N", "m-N"}, {"in-lbf", "in-lbf"}});
-  Given given{std::nullopt, config::unit_system(units)};
-  const auto format = format_.choice_or(
-      Format::table, {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}});
-  if (plot_.text() == "-" && format != Format::table) {
+  Given given{std::nullopt, config::unit_system(units_.text_or("mm-N"))};
+  if (plot_.text() == "-" && format() != "table") {
     plot_.refuse("needs --format table; the plot is printed below the table");
   }
   if (plot_.is_given()) require_drawable(plot_);
   if (!case_.is_given()) return given;
   given.file.emplace(case_.text());
   const config::UnitSystem& of_case = given.file->units();
-  if (units_.is_given() && units != of_case.name) units_.refuse("the case is in " + of_case.name);
+  if (units_.is_given() && units_.text() != of_case.name)
+    units_.refuse("the case is in " + of_case.name);
   given.units = of_case;
   return given;
 }
 
 void Output::print(const Result& result, const std::function<Picture()>& picture) const {
-  const std::string text = is_csv()                   ? csv_of(result.table)
-                           : format_.text() == "json" ? json_of(result)
-                                                      : text_of(result);
+  const std::string text = format() == "csv"    ? csv_of(result.table)
+                           : format() == "json" ? json_of(result)
+                                                : text_of(result);
   for (const std::string& warning : result.warnings) {
     fmt::print(stderr, "{}: warning: {}\n", command_line::program_name(), warning);
   }

@@ -48,14 +48,17 @@ class Output {
   /// anything is computed.
   Given given() const;
 
-  bool is_csv() const { return format_.text() == "csv"; }
+  /// "table", "csv" or "json".
+  std::string format() const { return format_.text_or("table"); }
 
   /// Prints warnings on standard error and the result in the requested format, then draws the
   /// picture. Throws sys::ToolError if gnuplot fails or is missing.
   void print(const Result& result, const std::function<Picture()>& picture) const;
 
  private:
-  Flag case_, units_, format_, plot_;
+  Flag case_;
+  Choice units_, format_;
+  Flag plot_;
 };
 
 }  // namespace app

@@ -55,10 +55,16 @@ struct PointContactOptions {
   Flag domain{
       command, "--domain", "LENGTH", "Solution",
       "Width of the square that the nodes fill [a ninth wider than the contact, or the file's]"};
-  Flag element{command, "--element", "pyramid|uniform", "Solution",
-               "Pressure around a node: a pyramid, or uniform on a square [pyramid]"};
-  Flag method{command, "--method", "fft|variational", "Solution",
-              "Solution method; variational is a slower reference [fft]"};
+  Choice element{command,
+                 "--element",
+                 {"pyramid", "uniform"},
+                 "Solution",
+                 "Pressure around a node: a pyramid, or uniform on a square [pyramid]"};
+  Choice method{command,
+                "--method",
+                {"fft", "variational"},
+                "Solution",
+                "Solution method; variational is a slower reference [fft]"};
   Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
                  "Error of the pressure, relative to the peak [1e-8]"};
   Output output{command, "[contact], for its bodies"};
@@ -251,8 +257,7 @@ void run(const PointContactOptions& options) {
   const UnitSystem& units = given.units;
   std::optional<ContactCase> from_case;
   if (given.file) from_case = given.file->contact();
-  Result result{.table_in_json = InJson::nothing,
-                .units = {{"half_widths", units.length},
+  Result result{.units = {{"half_widths", units.length},
                           {"peak_pressure", units.stress},
                           {"approach", units.length},
                           {"load", units.force},
@@ -271,10 +276,8 @@ void run(const PointContactOptions& options) {
   const Bodies bodies = bodies_of(options, from_case, modulus, load, units);
   const point_contact::Problem problem{
       bodies.profile, modulus, grid_of(options, bodies, units),
-      options.element.choice_or(Element::pyramid,
-                                {{"pyramid", Element::pyramid}, {"uniform", Element::uniform}})};
-  const bool is_variational =
-      options.method.choice_or(false, {{"fft", false}, {"variational", true}});
+      options.element.text() == "uniform" ? Element::uniform : Element::pyramid};
+  const bool is_variational = options.method.text() == "variational";
   const double tolerance =
       options.tolerance.positive("1").value_or(point_contact::default_tolerance);
 
@@ -291,7 +294,7 @@ void run(const PointContactOptions& options) {
   const std::string coarse = contact::resolution_warning(s.resolution());
   if (!coarse.empty()) result.warnings.push_back(coarse);
   add_notes(result.notes, options, s, units);
-  if (options.output.is_csv()) result.table = nodes_of(s);
+  if (options.output.format() == "csv") result.table = nodes_of(s);
   options.output.print(result, [&] { return picture_of(bodies, s, units); });
 }
 

@@ -212,7 +212,7 @@ std::string csv_of(const Table& table) {
 
 std::string json_of(const Result& result) {
   std::string text;
-  if (result.table_in_json == InJson::rows) {
+  if (result.quantities.empty() && result.details.empty()) {
     append_json(text, rows_of(result), "");
     text += '\n';
     return text;
@@ -226,17 +226,15 @@ std::string json_of(const Result& result) {
   json.update(result.details);
   json["units"] = result.units;
   append_json(text, json, "");
-  if (result.table_in_json == InJson::columns) {
-    // Columns may be long, so they bypass the tree of values.
-    constexpr std::size_t usual_number = 22;
-    text.resize(text.size() - 2);
-    text.reserve(text.size() + usual_number * result.table.size() * n_rows_of(result.table));
-    for (const Column& column : result.table) {
-      text += fmt::format(",\n  \"{}\": ", column.key);
-      append_json(text, column.numbers);
-    }
-    text += "\n}";
+  // Columns may be long, so they bypass the tree of values.
+  constexpr std::size_t usual_number = 22;
+  text.resize(text.size() - 2);
+  text.reserve(text.size() + usual_number * result.table.size() * n_rows_of(result.table));
+  for (const Column& column : result.table) {
+    text += fmt::format(",\n  \"{}\": ", column.key);
+    append_json(text, column.numbers);
   }
+  text += "\n}";
   text += '\n';
   return text;
 }

@@ -33,17 +33,12 @@ struct Quantity {
   std::optional<double> exact = std::nullopt;
 };
 
-/// How JSON contains a table: one array per column, an array of rows as the whole document, or not
-/// at all.
-enum class InJson { columns, rows, nothing };
-
 struct Result {
   std::vector<Quantity> quantities = {};
-  int digits = 7;         ///< significant digits of the quantities in the text
-  bool is_hertz = false;  ///< whether the closed forms are Hertz's
-  Json details = {};      ///< further entries of the JSON
-  Table table = {};       ///< the CSV; the text has its columns with heads
-  InJson table_in_json = InJson::columns;
+  int digits = 7;                       ///< significant digits of the quantities in the text
+  bool is_hertz = false;                ///< whether the closed forms are Hertz's
+  Json details = {};                    ///< further entries of the JSON
+  Table table = {};                     ///< the CSV; the text has its columns with heads
   Json units = {};                      ///< in JSON: unit of each key or kind of key
   std::vector<std::string> notes = {};  ///< lines below the text
   std::vector<std::string> warnings = {};
@@ -72,7 +67,8 @@ std::string text_of(const Result& result);
 /// A header and one line per row; numbers have the fewest digits that read back exactly.
 std::string csv_of(const Table& table);
 
-/// Quantities, closed forms, details, columns and units under their keys; numbers as in csv_of.
+/// Quantities, closed forms, details, columns and units under their keys, or for a table alone an
+/// array of its rows; numbers as in csv_of.
 std::string json_of(const Result& result);
 
 /// Copies the numbers at the nodes, for a column.

@@ -179,7 +179,6 @@ void run(const StressOptions& options) {
                                                         : pressed_by_contact(options, given);
   const std::vector<Point> points = points_of(options, pressed, units.length);
   Result result{.table = table_of(points, pressed, units),
-                .table_in_json = InJson::rows,
                 .units = {{"x", units.length}, {"z", units.length}, {"stress", units.stress}},
                 .notes = pressed.notes,
                 .warnings = pressed.warnings};
