@@ -5,8 +5,6 @@
 #include <map>
 
 #include "app/bodies.hpp"
-#include "app/commands.hpp"
-#include "app/loads.hpp"
 #include "app/output.hpp"
 #include "block/analysis.hpp"
 #include "block/measures.hpp"

@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "app/bodies.hpp"
-#include "app/commands.hpp"
-#include "app/loads.hpp"
 #include "app/output.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "system/error.hpp"

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flags of the command line: numbers with or without a unit, lists and ranges, names.
+// Commands and their flags: numbers with or without a unit, lists and ranges, names, CSV files.
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace app {
 
@@ -98,5 +97,36 @@ template <class Case, class Member>
 std::optional<Member> of_case(const std::optional<Case>& from_case, Member Case::*member) {
   return from_case ? std::optional((*from_case).*member) : std::nullopt;
 }
+
+/// Measured profiles, loads and surfaces in CSV files. Empty lines and lines that begin with # are
+/// ignored. Both functions throw sys::InputError with the file and the position of the error.
+
+/// A function sampled at rising x.
+struct CurvePoints {
+  std::vector<double> x, y;
+};
+
+/// Reads two columns with a heading such as "x,gap": at least `fewest` points, with rising x.
+CurvePoints read_curve(const std::string& file, const std::string& heading, std::size_t fewest);
+
+/// Reads a grid of at least 4 by 4 numbers without a heading: grid(i, j) is number i of line j.
+Eigen::ArrayXXd read_grid(const std::string& file);
+
+/// Adds a command, whose flags are the members of Options. Its help begins with the description,
+/// which also appears in the list of commands, and ends with `more`, as it is.
+template <class Options>
+void add_command(CLI::App& program, const std::string& name, const std::string& description,
+                 const std::string& more, void (*run)(const Options&)) {
+  CLI::App* command = program.add_subcommand(name, wrapped(description))->group("Commands");
+  command->footer(more);
+  const std::shared_ptr<Options> options(new Options{*command});
+  command->callback([run, options] { run(*options); });
+}
+
+void add_displacement_command(CLI::App& program);
+void add_contact_command(CLI::App& program);
+void add_point_contact_command(CLI::App& program);
+void add_stress_command(CLI::App& program);
+void add_block_command(CLI::App& program);
 
 }  // namespace app

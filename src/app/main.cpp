@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <set>
 
-#include "app/commands.hpp"
+#include "app/flags.hpp"
 #include "command_line/exit_codes.hpp"
 #include "system/error.hpp"
 #include "system/nearest_name.hpp"

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "app/bodies.hpp"
-#include "app/commands.hpp"
-#include "app/csv_files.hpp"
 #include "app/output.hpp"
 #include "command_line/stopwatch.hpp"
 #include "contact/limits.hpp"
@@ -22,7 +20,6 @@ namespace {
 
 using config::UnitSystem;
 using parameters::ContactCase;
-using point_contact::Element;
 using point_contact::HertzElliptic;
 using point_contact::Vector2;
 
@@ -73,7 +70,7 @@ struct PointContactOptions {
 };
 
 // Two unloaded bodies, and the closed form of their contact if there is one.
-struct Bodies {
+struct Solids {
   point_contact::Profile profile;
   std::optional<HertzElliptic> hertz = {};
   double least_radius = 0;  // of the principal radii; 0 if the surface is measured
@@ -95,7 +92,7 @@ Vector2 curvatures_of(const RadiusFlags& flags,
           radius_of(flags.along_y, length)->curvature()};
 }
 
-Bodies curved_bodies(const PointContactOptions& options,
+Solids curved_bodies(const PointContactOptions& options,
                      const std::optional<ContactCase>& from_case, double modulus, double load,
                      const UnitSystem& units) {
   const auto radius_of_case = [&](parameters::CylinderCase ContactCase::*body) {
@@ -117,7 +114,7 @@ Bodies curved_bodies(const PointContactOptions& options,
           HertzElliptic(modulus, sum.x(), sum.y(), load), 1 / greatest};
 }
 
-Bodies bodies_of(const PointContactOptions& options, const std::optional<ContactCase>& from_case,
+Solids bodies_of(const PointContactOptions& options, const std::optional<ContactCase>& from_case,
                  double modulus, double load, const UnitSystem& units) {
   const std::string given = options.profile.text_or("sphere");
   if (!options.is_measured()) {
@@ -132,7 +129,7 @@ Bodies bodies_of(const PointContactOptions& options, const std::optional<Contact
   return {point_contact::Profile::height_map(heights.maxCoeff() - heights, spacing)};
 }
 
-point_contact::Grid grid_of(const PointContactOptions& options, const Bodies& bodies,
+point_contact::Grid grid_of(const PointContactOptions& options, const Solids& bodies,
                             const UnitSystem& units) {
   constexpr long usual = 256;
   const long n =
@@ -153,7 +150,7 @@ point_contact::Grid grid_of(const PointContactOptions& options, const Bodies& bo
   return point_contact::square_grid(*width, n);
 }
 
-std::vector<Quantity> quantities_of(const Bodies& bodies, const point_contact::Solution& s,
+std::vector<Quantity> quantities_of(const Solids& bodies, const point_contact::Solution& s,
                                     double load, const UnitSystem& units) {
   // From the pressure for curved bodies, from the area for measured ones.
   const Vector2 widths = bodies.hertz ? s.semi_axes() : s.area_semi_axes();
@@ -230,7 +227,7 @@ void add_notes(std::vector<std::string>& notes, const PointContactOptions& optio
 }
 
 // The pressure along the two axes, with Hertz's if there is one.
-Picture picture_of(const Bodies& bodies, const point_contact::Solution& s,
+Picture picture_of(const Solids& bodies, const point_contact::Solution& s,
                    const UnitSystem& units) {
   Picture picture{
       fmt::format("x, y ({})", units.length), fmt::format("pressure ({})", units.stress), {}};
@@ -273,10 +270,11 @@ void run(const PointContactOptions& options) {
   result.notes = note_of(assumed);
   const double modulus = elasticity::contact_modulus(material1, material2);
   const double load = read({{options.load, units.force}})[0];
-  const Bodies bodies = bodies_of(options, from_case, modulus, load, units);
-  const point_contact::Problem problem{
-      bodies.profile, modulus, grid_of(options, bodies, units),
-      options.element.text() == "uniform" ? Element::uniform : Element::pyramid};
+  const Solids bodies = bodies_of(options, from_case, modulus, load, units);
+  const point_contact::Problem problem{bodies.profile, modulus, grid_of(options, bodies, units),
+                                       options.element.text() == "uniform"
+                                           ? point_contact::Element::uniform
+                                           : point_contact::Element::pyramid};
   const bool is_variational = options.method.text() == "variational";
   const double tolerance =
       options.tolerance.positive("1").value_or(point_contact::default_tolerance);

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/commands.hpp"
+#include "app/bodies.hpp"
 #include "app/contact.hpp"
-#include "app/loads.hpp"
 #include "elasticity/stress_beneath.hpp"
 #include "system/error.hpp"
 
