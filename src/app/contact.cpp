@@ -76,11 +76,13 @@ line_contact::Grid grid_of(const ContactFlags& flags, const Bodies& bodies, long
   return line_contact::grid_of_width(*width, n_nodes);
 }
 
-line_contact::Solution solution_of(const std::string& method, const line_contact::Problem& problem,
-                                   double load) {
+line_contact::Solution solution_of(const ContactFlags& flags, const std::string& method,
+                                   const line_contact::Problem& problem, double load) {
   if (method == "variational") return line_contact::solve_by_variational_method(problem, load);
   if (method == "matrix-inversion") return line_contact::solve_by_matrix_inversion(problem, load);
-  return line_contact::solve_by_fft(problem, load);
+  const auto tolerance = flags.tolerance.positive("1");
+  return line_contact::solve_by_fft(problem, load,
+                                    tolerance.value_or(line_contact::default_tolerance));
 }
 
 struct ContactOptions {
@@ -232,6 +234,7 @@ SolvedContact ContactFlags::solve(const Given& given) const {
                            .value_or(from_case ? from_case->n_nodes : usual_nodes);
   const std::string usual = n_nodes <= quickly_inverted ? "matrix-inversion" : "fft";
   const std::string chosen = method.text_or(usual);
+  if (chosen != "fft") refuse_given({&tolerance}, "--method " + chosen);
   const std::map<std::string, Element> elements = {{"triangular", Element::triangular},
                                                    {"uniform", Element::uniform},
                                                    {"point", Element::point}};
@@ -242,7 +245,7 @@ SolvedContact ContactFlags::solve(const Given& given) const {
   if (!place) place = of_case(from_case, &ContactCase::datum);
 
   const command_line::Stopwatch stopwatch;
-  SolvedContact solved{both.first,       solution_of(chosen, problem, p),
+  SolvedContact solved{both.first,       solution_of(*this, chosen, problem, p),
                        chosen,           place,
                        bodies.hertz,     stopwatch.seconds(),
                        note_of(assumed), {}};

@@ -56,6 +56,8 @@ struct ContactFlags {
                 {"matrix-inversion", "variational", "fft"},
                 "Solution",
                 "Solution method [matrix-inversion up to 1000 nodes, then fft]"};
+  Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
+                 "fft: error of the pressure, relative to the peak [1e-10]"};
 
   /// Solves the contact; flags override the case. Throws sys::InputError for a flag that is
   /// missing, wrong, or meaningless for the profile, and as the methods.

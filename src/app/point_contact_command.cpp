@@ -14,6 +14,7 @@
 #include "point_contact/solver/problem.hpp"
 #include "point_contact/solver/solution.hpp"
 #include "system/error.hpp"
+#include "system/files.hpp"
 
 namespace app {
 namespace {
@@ -64,6 +65,8 @@ struct PointContactOptions {
                 "Solution method; variational is a slower reference [fft]"};
   Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
                  "Error of the pressure, relative to the peak [1e-8]"};
+  Flag field{command, "--field", "FILE", "Input and output",
+             "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap"};
   Output output{command, "[contact], for its bodies"};
 
   bool is_measured() const { return profile.text().starts_with("heights:"); }
@@ -292,6 +295,8 @@ void run(const PointContactOptions& options) {
   const std::string coarse = contact::resolution_warning(s.resolution());
   if (!coarse.empty()) result.warnings.push_back(coarse);
   add_notes(result.notes, options, s, units);
+  if (options.field.is_given())
+    sys::write_file_atomically(options.field.text(), csv_of(nodes_of(s)));
   if (options.output.format() == "csv") result.table = nodes_of(s);
   options.output.print(result, [&] { return picture_of(bodies, s, units); });
 }
@@ -312,9 +317,9 @@ Examples:
   A steel ball in an aluminium groove, plotted to a file:
     halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 \
       --young2 70GPa --poisson2 0.33 --load 50 --plot pressure.pdf
-  A measured surface with points 5 um apart under a flat, all pressures as CSV:
+  A measured surface with points 5 um apart under a flat, pressures in a file:
     halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \
-      --format csv)",
+      --field pressure.csv)",
       run);
 }
 

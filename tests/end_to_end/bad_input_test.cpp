@@ -143,6 +143,8 @@ BOOST_AUTO_TEST_CASE(quantities_out_of_range) {
        "--domain = 0.1: must be greater than 0.210093 mm, the width of Hertz's contact"},
       {"point-contact --radius1 10 --load 100 --domain 0.1",
        "--domain = 0.1: must be greater than 0.373251 mm, the width of Hertz's contact"},
+      {"contact --radius1 10 --load 100 --method fft --tolerance 1e-15",
+       "tolerance = 1e-15: must be from 1e-13, the rounding error, to 0.01"},
       {"point-contact --radius1 10 --load 100 --tolerance 1e-15",
        "tolerance = 1e-15: must be from 1e-12, the rounding error, to 0.01"},
   });
@@ -187,6 +189,8 @@ BOOST_AUTO_TEST_CASE(flags_that_are_meaningless_for_the_choice) {
       {
           {"contact --profile file:gap.csv --load 1 --radius1 3",
            "--radius1 has no meaning for --profile file:gap.csv"},
+          {"contact --radius1 10 --load 1 --tolerance 1e-8",
+           "--tolerance has no meaning for --method matrix-inversion"},
           {"displacement --shape file:load.csv --half-width 3",
            "--half-width has no meaning for --shape file:load.csv"},
           {"displacement --shape uniform --line-load 3",
