@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two bodies pressed together along a line, for `halfspace contact` and `halfspace stress`.
+// Two bodies pressed together along a line: `halfspace contact`, and for `halfspace stress`.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace app {
 
 /// A contact described by the command line and the case, with its solution.
 struct SolvedContact {
-  Material material1, material2;
+  Material material;  ///< of body 1
   line_contact::Solution solution;
   std::string method;
   std::optional<double> datum;
@@ -46,10 +46,16 @@ struct ContactFlags {
   Flag nodes{command, "--nodes", "COUNT", "Solution", "Number of nodes [401, or the case's]"};
   Flag domain{command, "--domain", "LENGTH", "Solution",
               "Width that the nodes fill [a tenth wider than the contact, or the file's]"};
-  Flag element{command, "--element", "triangular|uniform|point", "Solution",
-               "Pressure around a node: a triangle, a strip or a force [triangular]"};
-  Flag method{command, "--method", "matrix-inversion|variational|fft", "Solution",
-              "Solution method [matrix-inversion up to 1000 nodes, then fft]"};
+  Choice element{command,
+                 "--element",
+                 {"triangular", "uniform", "point"},
+                 "Solution",
+                 "Pressure around a node: a triangle, a strip or a force [triangular]"};
+  Choice method{command,
+                "--method",
+                {"matrix-inversion", "variational", "fft"},
+                "Solution",
+                "Solution method [matrix-inversion up to 1000 nodes, then fft]"};
   Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
                  "fft: error of the pressure, relative to the peak [1e-10]"};
 

@@ -7,9 +7,6 @@
 #include <utility>
 
 #include "app/bodies.hpp"
-#include "app/commands.hpp"
-#include "app/csv_files.hpp"
-#include "app/loads.hpp"
 #include "app/output.hpp"
 #include "elasticity/surface_quadrature.hpp"
 #include "system/error.hpp"
@@ -28,23 +25,20 @@ struct DisplacementOptions {
       command, "--x", "LENGTH", "Points",
       "Points on the surface: a list 0,0.5,2 or a range BEGIN:END:STEP [21 points over twice the "
       "load's width, or the case's]"};
-  Flag x_file{command, "--x-file", "FILE", "Points",
-              "Instead: a file with one point per line; - reads standard input"};
   Flag datum{command, "--datum", "LENGTH", "Points",
              "The x at which u_z = 0, arbitrary in plane strain [ten times the load's "
              "half-width, or the case's]"};
-  Flag component{command, "--component", "normal|tangential", "Points",
-                 "normal is u_z, into the body; tangential is u_x [normal]"};
+  Choice component{command,
+                   "--component",
+                   {"normal", "tangential"},
+                   "Points",
+                   "normal is u_z, into the body; tangential is u_x [normal]"};
   Output output{command, "[half_space]"};
 };
 
 std::vector<double> points_of(const DisplacementOptions& options, const HalfSpace& from_case,
                               const ChosenLoad& load, const config::UnitSystem& units) {
-  if (options.x.is_given()) {
-    refuse_given({&options.x_file}, "points that --x gives");
-    return options.x.quantities(units.length);
-  }
-  if (options.x_file.is_given()) return read_numbers(options.x_file.text());
+  if (options.x.is_given()) return options.x.quantities(units.length);
   if (from_case) return from_case->points;
   const auto& pieces = load.load.normal.pieces();
   if (pieces.empty()) throw sys::InputError("--x is missing");
@@ -62,54 +56,54 @@ double datum_of(const DisplacementOptions& options, const HalfSpace& from_case,
   return 10 * load.reach();
 }
 
-// A function of x on the surface, by quadrature and in closed form if one is known.
-struct Function {
-  std::string key, symbol, unit;
-  std::function<Estimate(double)> quadrature;
-  std::function<double(double)> closed_form;
+// A function at a point, by quadrature and in closed form, which is NaN if none is known.
+struct Value {
+  Estimate quadrature;
+  double closed_form;
 };
 
-// The same function, but infinite where the load jumps by more than `least`: any jump for the
-// gradient, a concentrated force for the displacement.
-Function infinite_at_jumps(const Function& function, const ChosenLoad& load, double least) {
-  const auto infinite_at = [&load, least](double x) {
-    const double jump = load.jump_at(x);
-    return std::abs(jump) > least ? std::copysign(HUGE_VAL, jump) : 0;
-  };
-  Function guarded = function;
-  guarded.quadrature = [=](double x) {
-    const double infinite = infinite_at(x);
-    return infinite == 0 ? function.quadrature(x) : Estimate{infinite, 0};
-  };
-  if (!function.closed_form) return guarded;
-  guarded.closed_form = [=](double x) {
-    const double infinite = infinite_at(x);
-    return infinite == 0 ? function.closed_form(x) : infinite;
-  };
-  return guarded;
-}
+// The surface under a load: one component of its displacement and the gradient.
+struct Surface {
+  const Material& material;
+  const ChosenLoad& load;
+  double datum;
+  bool is_tangential;
+  elasticity::SurfaceQuadrature by_quadrature{material, load.load, datum};
 
-// The gradient and the displacement of one component.
-std::pair<Function, Function> functions_of(const elasticity::SurfaceQuadrature& quadrature,
-                                           const ClosedForms& closed, const ChosenLoad& load,
-                                           bool is_tangential, const std::string& length) {
-  if (is_tangential) {
-    return {
-        {"gradient", "du_x/dx", "1", [&](double x) { return quadrature.tangential_gradient(x); },
-         closed.tangential_gradient},
-        {"displacement", "u_x", length,
-         [&](double x) { return quadrature.tangential_displacement(x); },
-         closed.tangential_displacement}};
+  Value gradient(double x) const {
+    if (is_tangential) {
+      const double slope = elasticity::tangential_gradient(material, load.load, x);
+      return {by_quadrature.tangential_gradient(x), slope};
+    }
+    if (const double jump = load.jump_at(x); jump != 0) return infinite(jump);
+    return {by_quadrature.normal_gradient(x),
+            closed_form([&](const auto& shape) { return normal_gradient(material, shape, x); })};
   }
-  const Function gradient{"gradient", "du_z/dx", "1",
-                          [&](double x) { return quadrature.normal_gradient(x); },
-                          closed.normal_gradient};
-  const Function displacement{"displacement", "u_z", length,
-                              [&](double x) { return quadrature.normal_displacement(x); },
-                              closed.normal_displacement};
-  constexpr double finite = std::numeric_limits<double>::max();
-  return {infinite_at_jumps(gradient, load, 0), infinite_at_jumps(displacement, load, finite)};
-}
+
+  Value displacement(double x) const {
+    if (const double jump = load.jump_at(x); std::isinf(jump)) return infinite(jump);
+    const double closed = closed_form([&](const auto& shape) {
+      if constexpr (requires { tangential_displacement(material, shape, x); }) {
+        if (is_tangential) return tangential_displacement(material, shape, x);
+      }
+      return normal_displacement(material, shape, x, datum);
+    });
+    return {is_tangential ? by_quadrature.tangential_displacement(x)
+                          : by_quadrature.normal_displacement(x),
+            closed};
+  }
+
+ private:
+  static Value infinite(double sign) {
+    const double value = std::copysign(HUGE_VAL, sign);
+    return {{value, 0}, value};
+  }
+
+  template <class OfShape>
+  double closed_form(const OfShape& of_shape) const {
+    return load.shape ? std::visit(of_shape, *load.shape) : std::nan("");
+  }
+};
 
 // The function's values at all points.
 struct Numbers {
@@ -124,16 +118,20 @@ struct Numbers {
   }
 };
 
+// The name of a function in CSV, in the table, and its unit.
+struct Names {
+  std::string key, symbol, unit;
+};
+
 // Computes the numbers and adds them to the table.
-Numbers add_columns(Table& table, const Function& function, const std::vector<double>& points) {
+Numbers add_columns(Table& table, const Names& function, const Surface& surface,
+                    Value (Surface::*value_at)(double) const, const std::vector<double>& points) {
   Numbers numbers;
   for (const double x : points) {
-    const Estimate estimate = function.quadrature(x);
-    // At a jump the error is 0; elsewhere an infinite error means that the value has overflowed.
-    require_finite(fmt::format("{}_quadrature at x = {}", function.key, x), estimate.abs_error);
-    numbers.quadrature.push_back(estimate.value);
-    numbers.abs_error.push_back(estimate.abs_error);
-    if (function.closed_form) numbers.closed_form.push_back(function.closed_form(x));
+    const Value value = (surface.*value_at)(x);
+    numbers.quadrature.push_back(value.quadrature.value);
+    numbers.abs_error.push_back(value.quadrature.abs_error);
+    numbers.closed_form.push_back(value.closed_form);
   }
   constexpr int most = 9, of_error = 2;
   const double largest = greatest(numbers.quadrature), error = greatest(numbers.abs_error);
@@ -145,7 +143,7 @@ Numbers add_columns(Table& table, const Function& function, const std::vector<do
   add("_quadrature", "quadrature", numbers.quadrature);
   table.push_back(aligned_column(function.key + "_abs_error", {"error", ""}, function.unit,
                                  numbers.abs_error, error, of_error));
-  if (!function.closed_form) return numbers;
+  if (!surface.load.shape) return numbers;
   table.back().heads.clear();  // the text has the closed form instead
   add("_closed_form", "closed form", numbers.closed_form);
   return numbers;
@@ -156,15 +154,15 @@ void add_notes(std::vector<std::string>& notes, const ChosenLoad& load, const Nu
   notes.push_back(fmt::format("errors of the quadrature: at most {:.1e} and {:.1e} {}",
                               greatest(gradient.abs_error), greatest(displacement.abs_error),
                               length));
+  notes.push_back(load.shape ? "closed form: " + load.source : "no closed form is known");
+  if (!load.shape) return;
   const std::size_t n = gradient.closed_form.size();
   std::size_t n_agreeing = 0;
   for (std::size_t i = 0; i < n; ++i) n_agreeing += gradient.agree(i) && displacement.agree(i);
-  notes.push_back(load.source.empty() ? "no closed form is known" : "closed form: " + load.source);
-  if (n == 0) return;
   notes.push_back(fmt::format("{} of {} points agree within their errors", n_agreeing, n));
 }
 
-ExitCode run(const DisplacementOptions& options) {
+void run(const DisplacementOptions& options) {
   const Given given = options.output.given();
   const config::UnitSystem& units = given.units;
   HalfSpace from_case;
@@ -175,59 +173,61 @@ ExitCode run(const DisplacementOptions& options) {
                   units.stress, assumed);
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), units);
-  const bool is_tangential =
-      options.component.choice_or(false, {{"normal", false}, {"tangential", true}});
+  const bool is_tangential = options.component.text() == "tangential";
   if (is_tangential && !load.load.forces.empty()) {
     options.component.refuse("has no meaning for " + options.load.name());
   }
   const std::vector<double> points = points_of(options, from_case, load, units);
   const double datum = datum_of(options, from_case, load, units);
 
-  const elasticity::SurfaceQuadrature quadrature(material, load.load, datum);
-  const ClosedForms closed = load.closed_forms ? load.closed_forms(material, datum) : ClosedForms();
-  const auto [gradient, displacement] =
-      functions_of(quadrature, closed, load, is_tangential, units.length);
-  Result result{.table_in_json = InJson::rows, .notes = note_of(assumed)};
+  const Surface surface{material, load, datum, is_tangential};
+  const std::string symbol = is_tangential ? "u_x" : "u_z";
+  Result result{.notes = note_of(assumed)};
   result.table.push_back(column_of_places("x", units.length, points));
-  const Numbers gradients = add_columns(result.table, gradient, points);
-  const Numbers displacements = add_columns(result.table, displacement, points);
+  const Numbers gradients = add_columns(result.table, {"gradient", "d" + symbol + "/dx", "1"},
+                                        surface, &Surface::gradient, points);
+  const Numbers displacements = add_columns(result.table, {"displacement", symbol, units.length},
+                                            surface, &Surface::displacement, points);
   result.units = {{"x", units.length}, {"gradient", "1"}, {"displacement", units.length}};
   if (!is_tangential) {
     result.notes.push_back(fmt::format("u_z = 0 at x = {} {}", rounded(datum), units.length));
   }
   add_notes(result.notes, load, gradients, displacements, units.length);
-  return options.output.print(result, [&, &u = displacement] {
+  options.output.print(result, [&] {
     const auto [low, high] = std::ranges::minmax(points);
-    const auto value = [&u](double x) {
-      const double u_at = u.closed_form ? u.closed_form(x) : u.quadrature(x).value;
-      return std::isinf(u_at) ? std::nan("") : u_at;
+    const auto value = [&](double x) {
+      const Value at = surface.displacement(x);
+      const double u = load.shape ? at.closed_form : at.quadrature.value;
+      return std::isinf(u) ? std::nan("") : u;
     };
     return Picture{fmt::format("x ({})", units.length),
-                   fmt::format("{} ({})", u.symbol, units.length),
-                   {line(u.closed_form ? "closed form" : "quadrature", low, high, value),
+                   fmt::format("{} ({})", symbol, units.length),
+                   {line(load.shape ? "closed form" : "quadrature", low, high, value),
                     {"quadrature at the points", false, points, displacements.quadrature}}};
   });
 }
 
 }  // namespace
 
-void add_displacement_command(CLI::App& program, ExitCode& exit_code) {
-  const CommandText text{
-      "displacement",
-      R"(Surface displacement u_z of a half-space under a strip load, a triangular load or any other
-      pressure, and its gradient. Both are computed by numerical quadrature (eq. 2 of Ruggiero 2001) and
-      compared with their closed forms where these are known. At the edge of a strip the displacement is
-      finite and the gradient infinite.)",
-      R"(  A strip load of 100 MPa on |x| <= 1 mm of steel:
+void add_displacement_command(CLI::App& program) {
+  add_command<DisplacementOptions>(
+      program, "displacement",
+      "Surface displacement of a half-space under a strip load, a triangular load or any other "
+      "pressure",
+      R"(The displacement and its gradient are computed by numerical quadrature (eq. 2
+of Ruggiero 2001) and compared with their closed forms where these are known.
+At the edge of a strip the displacement is finite and the gradient infinite.
+
+Examples:
+  A strip load of 100 MPa on |x| <= 1 mm of steel:
     halfspace displacement --shape uniform --peak-pressure 100 --half-width 1
   A triangular load on aluminium, at chosen points, plotted in the terminal:
     halfspace displacement --peak-pressure 63MPa --half-width 0.4mm \
       --young 70GPa --poisson 0.33 --x 0:2:0.1 --datum 50 --plot -
   A pressure given by a formula, with all digits as CSV:
     halfspace displacement --shape 'expression:p0*(1-(x/a)^4)' \
-      --peak-pressure 100 --half-width 1 --format csv
-)"};
-  add_command<DisplacementOptions>(program, text, exit_code, run);
+      --peak-pressure 100 --half-width 1 --format csv)",
+      run);
 }
 
 }  // namespace app

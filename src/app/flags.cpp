@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <span>
+#include <sstream>
 #include <string_view>
 
 #include "config/units.hpp"
 #include "system/error.hpp"
+#include "system/files.hpp"
 #include "system/text.hpp"
 
 namespace app {
@@ -75,26 +78,79 @@ std::vector<double> range(const Flag& flag, double begin, double end, double ste
   return evenly_spaced(begin, step, static_cast<int>(n_steps + rounding) + 1);
 }
 
-std::string listed(const std::vector<std::string>& names, const char* last) {
-  if (names.size() == 1) return names[0];
-  return fmt::format("{} {} {}", fmt::join(names.begin(), names.end() - 1, ", "), last,
-                     names.back());
+struct Line {
+  std::size_t number;  // in the file, from 1
+  std::string_view text;
+};
+
+std::vector<Line> lines_of(const std::string& text) {
+  std::vector<Line> lines;
+  std::size_t number = 0;
+  for (const std::string_view line : sys::lines_of(text)) {
+    ++number;
+    const std::string_view stripped = sys::stripped(line);
+    if (!stripped.empty() && !stripped.starts_with('#')) lines.push_back({number, line});
+  }
+  return lines;
+}
+
+std::string text_of(const std::string& file) {
+  if (std::filesystem::is_directory(file)) throw sys::InputError(file + ": is a folder");
+  std::string text = sys::read_file(file);
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // written by spreadsheets
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+  return text;
+}
+
+std::vector<double> numbers_of(const std::string& file, const Line& line) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0;;) {
+    const std::size_t comma = line.text.find(',', begin);
+    const std::string number(sys::stripped(line.text.substr(begin, comma - begin)));
+    const std::string place = fmt::format("{}:{}:{}", file, line.number, begin + 1);
+    if (number.empty()) throw sys::InputError(place + ": a number is missing");
+    numbers.push_back(parse_number(place, number));
+    if (comma == std::string_view::npos) return numbers;
+    begin = comma + 1;
+  }
 }
 
 }  // namespace
 
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t width = 80 - help_column;
+  std::istringstream words(text);
+  std::string all, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() >= width) {
+      all += line + '\n';
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return all + line;
+}
+
 Flag::Flag(CLI::App& command, const std::string& names, const std::string& type,
            const std::string& group, const std::string& help)
     : name_(names.substr(0, names.find(','))) {
-  command.add_option(names, text_, help)->type_name(type)->group(group);
+  // CLI11 would take the flag that follows "--x=", or a flag without a value, for the value.
+  const CLI::Validator is_value(
+      [](const std::string& text) {
+        return text.empty() || text.starts_with("--") ? "the value is missing" : "";
+      },
+      "");
+  command.add_option(names, text_, wrapped(help))->type_name(type)->group(group)->check(is_value);
+}
+
+Choice::Choice(CLI::App& command, const std::string& name, const std::vector<std::string>& choices,
+               const std::string& group, const std::string& help)
+    : Flag(command, name, fmt::format("{}", fmt::join(choices, "|")), group, help) {
+  command.get_option(name)->check(CLI::IsMember(choices).description(""));
 }
 
 void Flag::refuse(const std::string& reason) const {
   throw sys::InputError(fmt::format("{} = {}: {}", name_, text_, reason));
-}
-
-void Flag::refuse_choice(const std::vector<std::string>& names) const {
-  refuse("must be " + listed(names, "or"));
 }
 
 std::optional<double> Flag::quantity(const std::string& unit) const {
@@ -162,8 +218,8 @@ void require_given(const std::vector<const Flag*>& flags) {
     if (!flag->is_given()) missing.push_back(flag->name());
   }
   if (missing.empty()) return;
-  throw sys::InputError(listed(missing, "and") + (missing.size() == 1 ? " is" : " are") +
-                        " missing");
+  throw sys::InputError(fmt::format("{} {} missing", fmt::join(missing, " and "),
+                                    missing.size() == 1 ? "is" : "are"));
 }
 
 void refuse_given(const std::vector<const Flag*>& flags, const std::string& choice) {
@@ -193,6 +249,63 @@ std::vector<double> evenly_spaced(double first, double step, int n) {
     numbers.push_back(is_zero ? 0 : parse_number("", fmt::format("{:.15g}", sum)));
   }
   return numbers;
+}
+
+CurvePoints read_curve(const std::string& file, const std::string& heading, std::size_t fewest) {
+  const std::string text = text_of(file);
+  const std::vector<Line> lines = lines_of(text);
+  std::string found(lines.empty() ? "" : sys::stripped(lines[0].text));
+  std::erase(found, ' ');
+  if (found != heading) {
+    throw sys::InputError(fmt::format("{}:{}: the heading must be {}", file,
+                                      lines.empty() ? 1 : lines[0].number, heading));
+  }
+  CurvePoints points;
+  for (const Line& line : std::span(lines).subspan(1)) {
+    const std::vector<double> numbers = numbers_of(file, line);
+    if (numbers.size() != 2) {
+      throw sys::InputError(fmt::format("{}:{}: expected 2 numbers ({}), found {}", file,
+                                        line.number, heading, numbers.size()));
+    }
+    if (!points.x.empty() && !(numbers[0] > points.x.back())) {
+      throw sys::InputError(fmt::format("{}:{}: x = {}: must be greater than the x before it, {}",
+                                        file, line.number, numbers[0], points.x.back()));
+    }
+    points.x.push_back(numbers[0]);
+    points.y.push_back(numbers[1]);
+  }
+  if (points.x.size() < fewest) {
+    throw sys::InputError(
+        fmt::format("{}: expected at least {} points, found {}", file, fewest, points.x.size()));
+  }
+  return points;
+}
+
+Eigen::ArrayXXd read_grid(const std::string& file) {
+  const std::string text = text_of(file);
+  const std::vector<Line> lines = lines_of(text);
+  std::vector<std::vector<double>> rows;
+  for (const Line& line : lines) {
+    rows.push_back(numbers_of(file, line));
+    if (rows.back().size() != rows.front().size()) {
+      throw sys::InputError(fmt::format("{}:{}: expected {} numbers as in line {}, found {}", file,
+                                        line.number, rows[0].size(), lines[0].number,
+                                        rows.back().size()));
+    }
+  }
+  constexpr std::size_t fewest = 4;
+  const std::size_t width = rows.empty() ? 0 : rows[0].size();
+  if (rows.size() < fewest || width < fewest) {
+    throw sys::InputError(
+        fmt::format("{}: expected at least {} lines of {} numbers, found {} of {}", file, fewest,
+                    fewest, rows.size(), width));
+  }
+  Eigen::ArrayXXd grid(width, rows.size());
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    grid.col(static_cast<Eigen::Index>(j)) =
+        Eigen::Map<const Eigen::ArrayXd>(rows[j].data(), static_cast<Eigen::Index>(width));
+  }
+  return grid;
 }
 
 }  // namespace app

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flags of the command line: numbers with or without a unit, lists and ranges, names.
+// Commands and their flags: numbers with or without a unit, lists and ranges, names, CSV files.
 #pragma once
 
-#include <map>
+#include <CLI/CLI.hpp>
+#include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace app {
+
+/// The column at which descriptions begin in the help.
+constexpr std::size_t help_column = 27;
+
+/// Wraps a description in the help before column 80.
+std::string wrapped(const std::string& text);
 
 /// A flag with a value. CLI11 stores the text and lists the help; numbers are parsed here, because
 /// CLI11's parsing depends on the locale.
@@ -30,17 +34,6 @@ class Flag {
 
   /// The text, or `other` without the flag.
   std::string text_or(const std::string& other) const { return is_given() ? text_ : other; }
-
-  /// The meaning of the given name, or `other` without the flag. Throws sys::InputError for an
-  /// unknown name; the message lists the known ones.
-  template <class Meaning>
-  Meaning choice_or(Meaning other, const std::map<std::string, Meaning>& choices) const {
-    if (!is_given()) return other;
-    if (const auto chosen = choices.find(text_); chosen != choices.end()) return chosen->second;
-    std::vector<std::string> names;
-    for (const auto& choice : choices) names.push_back(choice.first);
-    refuse_choice(names);
-  }
 
   /// The quantity in this unit, if it was given: 210GPa, "210 GPa", or a plain number, which is
   /// already in the unit. Unit "1" takes plain numbers only. Throws sys::InputError for anything
@@ -61,10 +54,15 @@ class Flag {
   [[noreturn]] void refuse(const std::string& reason) const;
 
  private:
-  [[noreturn]] void refuse_choice(const std::vector<std::string>& names) const;
-
   std::string name_;
   std::string text_;
+};
+
+/// A flag whose value must be one of these names, which are its type in the help.
+class Choice : public Flag {
+ public:
+  Choice(CLI::App& command, const std::string& name, const std::vector<std::string>& choices,
+         const std::string& group, const std::string& help);
 };
 
 /// A required quantity: from its flag, else from the case.
@@ -99,5 +97,36 @@ template <class Case, class Member>
 std::optional<Member> of_case(const std::optional<Case>& from_case, Member Case::*member) {
   return from_case ? std::optional((*from_case).*member) : std::nullopt;
 }
+
+/// Measured profiles, loads and surfaces in CSV files. Empty lines and lines that begin with # are
+/// ignored. Both functions throw sys::InputError with the file and the position of the error.
+
+/// A function sampled at rising x.
+struct CurvePoints {
+  std::vector<double> x, y;
+};
+
+/// Reads two columns with a heading such as "x,gap": at least `fewest` points, with rising x.
+CurvePoints read_curve(const std::string& file, const std::string& heading, std::size_t fewest);
+
+/// Reads a grid of at least 4 by 4 numbers without a heading: grid(i, j) is number i of line j.
+Eigen::ArrayXXd read_grid(const std::string& file);
+
+/// Adds a command, whose flags are the members of Options. Its help begins with the description,
+/// which also appears in the list of commands, and ends with `more`, as it is.
+template <class Options>
+void add_command(CLI::App& program, const std::string& name, const std::string& description,
+                 const std::string& more, void (*run)(const Options&)) {
+  CLI::App* command = program.add_subcommand(name, wrapped(description))->group("Commands");
+  command->footer(more);
+  const std::shared_ptr<Options> options(new Options{*command});
+  command->callback([run, options] { run(*options); });
+}
+
+void add_displacement_command(CLI::App& program);
+void add_contact_command(CLI::App& program);
+void add_point_contact_command(CLI::App& program);
+void add_stress_command(CLI::App& program);
+void add_block_command(CLI::App& program);
 
 }  // namespace app

@@ -1,19 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Common to all commands: the case, the system of units, and the output of the result.
+// The result of a command, printed as a table, CSV or JSON, and its picture; the flags of all
+// commands. A number may be infinite, or NaN where it has no limit; CSV prints inf or nan, JSON
+// null.
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/flags.hpp"
-#include "app/result.hpp"
-#include "command_line/exit_codes.hpp"
 #include "config/units.hpp"
 #include "parameters/case.hpp"
 
 namespace app {
+
+using Json = nlohmann::ordered_json;
+
+/// A column of a table: numbers or texts.
+struct Column {
+  std::string key;                      ///< in CSV and JSON; empty for a column of the text only
+  std::vector<std::string> heads = {};  ///< heading lines in the text; empty if not in the text
+  std::vector<double> numbers = {};
+  std::vector<std::string> cells = {};  ///< in the text; a column of texts has only these
+};
+
+using Table = std::vector<Column>;
+
+/// One number of a result, with its closed form if there is one.
+struct Quantity {
+  std::string key;  ///< in JSON, where two numbers with one key form an array
+  std::string label;
+  std::string unit;
+  double value;
+  std::optional<double> exact = std::nullopt;
+};
+
+struct Result {
+  std::vector<Quantity> quantities = {};
+  int digits = 7;                       ///< significant digits of the quantities in the text
+  bool is_hertz = false;                ///< whether the closed forms are Hertz's
+  Json details = {};                    ///< further entries of the JSON
+  Table table = {};                     ///< the CSV; the text has its columns with heads
+  Json units = {};                      ///< in JSON: unit of each key or kind of key
+  std::vector<std::string> notes = {};  ///< lines below the text
+  std::vector<std::string> warnings = {};
+};
+
+/// A column aligned for the text, with as many decimals as give `largest` this many significant
+/// digits. If `largest` is very large or small, all numbers are divided by a power of ten that
+/// precedes the unit. Infinity prints as "infinite", NaN as "no limit".
+Column aligned_column(const std::string& key, const std::vector<std::string>& heads,
+                      const std::string& unit, std::vector<double> numbers, double largest,
+                      int digits);
+
+/// The greatest magnitude among the finite numbers.
+double greatest(const std::vector<double>& numbers);
+
+/// A column of coordinates, with at most six digits each.
+Column column_of_places(const std::string& key, const std::string& unit,
+                        std::vector<double> numbers);
+
+/// The significant digits that this relative error supports, from 3 to `most`.
+int earned_digits(double rel_error, int most);
+
+/// The text: quantities beside their closed forms, table and notes, in 80 columns.
+std::string text_of(const Result& result);
+
+/// A header and one line per row; numbers have the fewest digits that read back exactly.
+std::string csv_of(const Table& table);
+
+/// Quantities, closed forms, details, columns and units under their keys, or for a table alone an
+/// array of its rows; numbers as in csv_of.
+std::string json_of(const Result& result);
+
+/// Copies the numbers at the nodes, for a column.
+std::vector<double> to_vector(const Eigen::VectorXd& numbers);
 
 /// A curve of a picture. Both columns have the same length; NaN breaks the curve.
 struct Curve {
@@ -49,18 +114,17 @@ class Output {
   /// anything is computed.
   Given given() const;
 
-  bool is_csv() const { return format_.text() == "csv"; }
+  /// "table", "csv" or "json".
+  std::string format() const { return format_.text_or("table"); }
 
   /// Prints warnings on standard error and the result in the requested format, then draws the
-  /// picture. Throws sys::InputError for a number that is not finite, sys::ToolError if gnuplot
-  /// fails or is missing.
-  command_line::ExitCode print(const Result& result, const std::function<Picture()>& picture) const;
+  /// picture. Throws sys::ToolError if gnuplot fails or is missing.
+  void print(const Result& result, const std::function<Picture()>& picture) const;
 
  private:
-  Flag case_, units_, format_, plot_;
+  Flag case_;
+  Choice units_, format_;
+  Flag plot_;
 };
-
-/// Throws sys::InputError naming the flag unless the folder of its file exists.
-void require_folder_of(const Flag& flag);
 
 }  // namespace app

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "app/bodies.hpp"
-#include "app/commands.hpp"
-#include "app/csv_files.hpp"
 #include "app/output.hpp"
 #include "command_line/stopwatch.hpp"
 #include "contact/accuracy.hpp"
@@ -22,7 +20,6 @@ namespace {
 
 using config::UnitSystem;
 using parameters::ContactCase;
-using point_contact::Element;
 using point_contact::HertzElliptic;
 using point_contact::Vector2;
 
@@ -46,32 +43,36 @@ struct PointContactOptions {
   RadiusFlags radius2{command, "2", "Radius of body 2 [plane]"};
   PairOfMaterialFlags materials{command};
   Flag profile{
-      command, "--profile", "sphere|file:PATH|heights:PATH", "Bodies",
-      "Gap between the unloaded bodies: from their radii, or measured: a CSV grid of gaps, or "
-      "of the heights of a surface, one line per y [sphere]"};
+      command, "--profile", "sphere|heights:PATH", "Bodies",
+      "Gap between the unloaded bodies: from their radii, or measured: a CSV grid of the heights "
+      "of a surface, one line per y [sphere]"};
   Flag spacing{command, "--spacing", "LENGTH", "Bodies", "Distance between measured points"};
   Flag nodes{command, "--nodes", "COUNT", "Solution",
              "Number of nodes along the longer side of the domain [256]"};
   Flag domain{
       command, "--domain", "LENGTH", "Solution",
       "Width of the square that the nodes fill [a ninth wider than the contact, or the file's]"};
-  Flag element{command, "--element", "pyramid|uniform", "Solution",
-               "Pressure around a node: a pyramid, or uniform on a square [pyramid]"};
-  Flag method{command, "--method", "fft|variational", "Solution",
-              "Solution method; variational is a slower reference [fft]"};
+  Choice element{command,
+                 "--element",
+                 {"pyramid", "uniform"},
+                 "Solution",
+                 "Pressure around a node: a pyramid, or uniform on a square [pyramid]"};
+  Choice method{command,
+                "--method",
+                {"fft", "variational"},
+                "Solution",
+                "Solution method; variational is a slower reference [fft]"};
   Flag tolerance{command, "--tolerance", "NUMBER", "Solution",
                  "Error of the pressure, relative to the peak [1e-8]"};
   Flag field{command, "--field", "FILE", "Input and output",
              "Write pressure and gap at the nodes as CSV, columns x,y,pressure,gap"};
   Output output{command, "[contact], for its bodies"};
 
-  bool is_measured() const {
-    return profile.text().starts_with("file:") || profile.text().starts_with("heights:");
-  }
+  bool is_measured() const { return profile.text().starts_with("heights:"); }
 };
 
 // Two unloaded bodies, and the closed form of their contact if there is one.
-struct Bodies {
+struct Solids {
   point_contact::Profile profile;
   std::optional<HertzElliptic> hertz = {};
   double least_radius = 0;  // of the principal radii; 0 if the surface is measured
@@ -93,7 +94,7 @@ Vector2 curvatures_of(const RadiusFlags& flags,
           radius_of(flags.along_y, length)->curvature()};
 }
 
-Bodies curved_bodies(const PointContactOptions& options,
+Solids curved_bodies(const PointContactOptions& options,
                      const std::optional<ContactCase>& from_case, double modulus, double load,
                      const UnitSystem& units) {
   const auto radius_of_case = [&](parameters::CylinderCase ContactCase::*body) {
@@ -115,7 +116,7 @@ Bodies curved_bodies(const PointContactOptions& options,
           HertzElliptic(modulus, sum.x(), sum.y(), load), 1 / greatest};
 }
 
-Bodies bodies_of(const PointContactOptions& options, const std::optional<ContactCase>& from_case,
+Solids bodies_of(const PointContactOptions& options, const std::optional<ContactCase>& from_case,
                  double modulus, double load, const UnitSystem& units) {
   const std::string given = options.profile.text_or("sphere");
   if (!options.is_measured()) {
@@ -126,13 +127,11 @@ Bodies bodies_of(const PointContactOptions& options, const std::optional<Contact
     refuse_given({&flags->radius, &flags->along_x, &flags->along_y}, "--profile " + given);
   }
   const double spacing = read({{options.spacing, units.length}})[0];
-  const Eigen::ArrayXXd numbers = read_grid(given.substr(given.find(':') + 1));
-  const Eigen::ArrayXXd gaps =
-      given.starts_with("file:") ? numbers : (numbers.maxCoeff() - numbers).eval();
-  return {point_contact::Profile::height_map(gaps, spacing)};
+  const Eigen::ArrayXXd heights = read_grid(given.substr(given.find(':') + 1));
+  return {point_contact::Profile::height_map(heights.maxCoeff() - heights, spacing)};
 }
 
-point_contact::Grid grid_of(const PointContactOptions& options, const Bodies& bodies,
+point_contact::Grid grid_of(const PointContactOptions& options, const Solids& bodies,
                             const UnitSystem& units) {
   constexpr long usual = 256;
   const long n =
@@ -153,7 +152,7 @@ point_contact::Grid grid_of(const PointContactOptions& options, const Bodies& bo
   return point_contact::square_grid(*width, n);
 }
 
-std::vector<Quantity> quantities_of(const Bodies& bodies, const point_contact::Solution& s,
+std::vector<Quantity> quantities_of(const Solids& bodies, const point_contact::Solution& s,
                                     double load, const UnitSystem& units) {
   // From the pressure for curved bodies, from the area for measured ones.
   const Vector2 widths = bodies.hertz ? s.semi_axes() : s.area_semi_axes();
@@ -230,7 +229,7 @@ void add_notes(std::vector<std::string>& notes, const PointContactOptions& optio
 }
 
 // The pressure along the two axes, with Hertz's if there is one.
-Picture picture_of(const Bodies& bodies, const point_contact::Solution& s,
+Picture picture_of(const Solids& bodies, const point_contact::Solution& s,
                    const UnitSystem& units) {
   Picture picture{
       fmt::format("x, y ({})", units.length), fmt::format("pressure ({})", units.stress), {}};
@@ -252,20 +251,18 @@ Picture picture_of(const Bodies& bodies, const point_contact::Solution& s,
   return picture;
 }
 
-ExitCode run(const PointContactOptions& options) {
+void run(const PointContactOptions& options) {
   const Given given = options.output.given();
   const UnitSystem& units = given.units;
-  if (options.field.is_given()) require_folder_of(options.field);
   std::optional<ContactCase> from_case;
   if (given.file) from_case = given.file->contact();
-  Result result{.table_in_json = InJson::nothing,
-                .units = {{"half_widths", units.length},
+  Result result{.units = {{"half_widths", units.length},
                           {"peak_pressure", units.stress},
                           {"approach", units.length},
                           {"load", units.force},
                           {"contact_area", units.length + "^2"}}};
   if (!options.is_measured() && options.profile.text_or("sphere") != "sphere") {
-    options.profile.refuse("must be sphere, file:PATH or heights:PATH");
+    options.profile.refuse("must be sphere or heights:PATH");
   }
   if (!from_case && !options.is_measured() && !options.radius1.has_two()) {
     require_given({&options.radius1.radius, &options.load});
@@ -275,22 +272,19 @@ ExitCode run(const PointContactOptions& options) {
   result.notes = note_of(assumed);
   const double modulus = elasticity::contact_modulus(material1, material2);
   const double load = read({{options.load, units.force}})[0];
-  const Bodies bodies = bodies_of(options, from_case, modulus, load, units);
-  const point_contact::Problem problem{
-      bodies.profile, modulus, grid_of(options, bodies, units),
-      options.element.choice_or(Element::pyramid,
-                                {{"pyramid", Element::pyramid}, {"uniform", Element::uniform}})};
-  const bool is_variational =
-      options.method.choice_or(false, {{"fft", false}, {"variational", true}});
+  const Solids bodies = bodies_of(options, from_case, modulus, load, units);
+  const point_contact::Problem problem{bodies.profile, modulus, grid_of(options, bodies, units),
+                                       options.element.text() == "uniform"
+                                           ? point_contact::Element::uniform
+                                           : point_contact::Element::pyramid};
+  const bool is_variational = options.method.text() == "variational";
   const double tolerance =
       options.tolerance.positive("1").value_or(point_contact::default_tolerance);
 
   const command_line::Stopwatch stopwatch;
   const point_contact::Solution s =
-      naming({&options.nodes, &options.domain, &options.tolerance}, [&] {
-        return is_variational ? point_contact::solve_by_variational_method(problem, load, tolerance)
-                              : point_contact::solve_for_load(problem, load, tolerance);
-      });
+      is_variational ? point_contact::solve_by_variational_method(problem, load, tolerance)
+                     : point_contact::solve_for_load(problem, load, tolerance);
   const double seconds = stopwatch.seconds();
   result.quantities = quantities_of(bodies, s, load, units);
   result.digits = earned_digits(contact::relative_error(s.resolution()), result.digits);
@@ -300,30 +294,32 @@ ExitCode run(const PointContactOptions& options) {
   const std::string coarse = contact::resolution_warning(s.resolution());
   if (!coarse.empty()) result.warnings.push_back(coarse);
   add_notes(result.notes, options, s, units);
-  if (options.output.is_csv() || options.field.is_given()) result.table = nodes_of(s);
   if (options.field.is_given())
-    sys::write_file_atomically(options.field.text(), csv_of(result.table));
-  return options.output.print(result, [&] { return picture_of(bodies, s, units); });
+    sys::write_file_atomically(options.field.text(), csv_of(nodes_of(s)));
+  if (options.output.format() == "csv") result.table = nodes_of(s);
+  options.output.print(result, [&] { return picture_of(bodies, s, units); });
 }
 
 }  // namespace
 
-void add_point_contact_command(CLI::App& program, ExitCode& exit_code) {
-  const CommandText text{
-      "point-contact",
-      R"(Hertz point contact: two spheres or ellipsoids pressed together at a point, or a rough surface.
-      Pressure and gap on a plane of nodes are compared with Hertz's closed form; a surface may also be a
-      measured height map.)",
-      R"(  A steel ball of radius 10 mm on a steel plane, 100 N:
+void add_point_contact_command(CLI::App& program) {
+  add_command<PointContactOptions>(
+      program, "point-contact",
+      "Hertz point contact: two spheres or ellipsoids pressed together at a point, or a rough "
+      "surface",
+      R"(Pressure and gap on a plane of nodes are compared with Hertz's closed form; a
+surface may also be a measured height map.
+
+Examples:
+  A steel ball of radius 10 mm on a steel plane, 100 N:
     halfspace point-contact --radius1 10 --load 100
   A steel ball in an aluminium groove, plotted to a file:
     halfspace point-contact --radius1 8 --radius2x plane --radius2y=-9 \
       --young2 70GPa --poisson2 0.33 --load 50 --plot pressure.pdf
   A measured surface with points 5 um apart under a flat, pressures in a file:
     halfspace point-contact --profile heights:map.csv --spacing 5um --load 2 \
-      --field pressure.csv
-)"};
-  add_command<PointContactOptions>(program, text, exit_code, run);
+      --field pressure.csv)",
+      run);
 }
 
 }  // namespace app

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/commands.hpp"
+#include "app/bodies.hpp"
 #include "app/contact.hpp"
-#include "app/loads.hpp"
 #include "elasticity/stress.hpp"
 #include "system/error.hpp"
 
@@ -23,7 +22,6 @@ struct StressOptions {
   Flag x{command, "--x", "LENGTH", "Points", "Positions along the surface, a list or a range [0]"};
   Flag z{command, "--z", "LENGTH", "Points",
          "Depths, a list or a range, combined with every x [to twice the half-width]"};
-  Flag body{command, "--body", "1|2", "Points", "Body of the contact [1]"};
   Output output{command, "[contact], or [half_space] with --shape"};
 };
 
@@ -41,7 +39,7 @@ Pressed pressed_by_load(const StressOptions& options, const Given& given) {
   if (given.file) from_case = given.file->half_space();
   const ContactFlags& contact = options.contact;
   refuse_given({&contact.load, &contact.radius1, &contact.radius2, &contact.profile, &contact.nodes,
-                &contact.domain, &contact.method, &options.body},
+                &contact.domain, &contact.method},
                options.load.name());
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), given.units);
@@ -64,14 +62,13 @@ Pressed pressed_by_contact(const StressOptions& options, const Given& given) {
   if (options.contact.element.text_or("triangular") != "triangular") {
     options.contact.element.refuse("stresses need triangular elements");
   }
-  const bool is_second = options.body.choice_or(false, {{"1", false}, {"2", true}});
   const SolvedContact solved = options.contact.solve(given);
   Pressed pressed{
       [s = solved.solution](double x, double z) { return line_contact::stress_beneath(s, x, z); },
       {},
       solved.half_width(),
       solved.solution.peak_pressure(),
-      is_second ? solved.material2 : solved.material1,
+      solved.material,
       solved.notes,
       solved.warnings};
   if (solved.hertz) {
@@ -174,40 +171,41 @@ Picture picture_of(const std::vector<Point>& points, double nu, const config::Un
           {shear, von_mises}};
 }
 
-ExitCode run(const StressOptions& options) {
+void run(const StressOptions& options) {
   const Given given = options.output.given();
   const config::UnitSystem& units = given.units;
   const Pressed pressed = options.load.shape.is_given() ? pressed_by_load(options, given)
                                                         : pressed_by_contact(options, given);
   const std::vector<Point> points = points_of(options, pressed, units.length);
   Result result{.table = table_of(points, pressed, units),
-                .table_in_json = InJson::rows,
                 .units = {{"x", units.length}, {"z", units.length}, {"stress", units.stress}},
                 .notes = pressed.notes,
                 .warnings = pressed.warnings};
   add_notes(result.notes, points, pressed);
-  return options.output.print(
-      result, [&] { return picture_of(points, pressed.material.poisson(), units); });
+  options.output.print(result,
+                       [&] { return picture_of(points, pressed.material.poisson(), units); });
 }
 
 }  // namespace
 
-void add_stress_command(CLI::App& program, ExitCode& exit_code) {
-  const CommandText text{
-      "stress",
-      R"(Stresses beneath a line contact, or beneath a strip load or any other pressure. Plane strain, z into
-      the body. With --shape the pressure is given; without it two bodies are pressed together as in
-      'halfspace contact', and beneath cylinders the shear is compared with McEwen's closed form.)",
-      R"(  On the axis beneath a steel cylinder on a plane, to twice the half-width:
+void add_stress_command(CLI::App& program) {
+  add_command<StressOptions>(
+      program, "stress",
+      "Stresses beneath a line contact, or beneath a strip load or any other pressure",
+      R"(Plane strain, z into the body. With --shape the pressure is given; without it
+two bodies are pressed together as in 'halfspace contact', and beneath cylinders
+the shear is compared with McEwen's closed form.
+
+Examples:
+  On the axis beneath a steel cylinder on a plane, to twice the half-width:
     halfspace stress --radius1 10 --load 100 --plot -
   Beneath a strip load of 100 MPa on |x| <= 1 mm:
     halfspace stress --shape uniform --peak-pressure 100 --half-width 1 \
       --z 0:3:0.25
   Across the contact at one depth, as JSON:
     halfspace stress --radius1 10 --load 100 --x -0.2:0.2:0.01 --z 0.08 \
-      --format json
-)"};
-  add_command<StressOptions>(program, text, exit_code, run);
+      --format json)",
+      run);
 }
 
 }  // namespace app

@@ -8,9 +8,7 @@
 namespace sys {
 
 InvalidQuantity::InvalidQuantity(std::string_view quantity, double value, std::string_view allowed)
-    : InputError(fmt::format("{} = {}: must be {}", quantity, value, allowed)),
-      quantity_(quantity),
-      allowed_(allowed) {}
+    : InputError(fmt::format("{} = {}: must be {}", quantity, value, allowed)) {}
 
 double require_finite(std::string_view quantity, double value) {
   if (!std::isfinite(value)) throw InvalidQuantity(quantity, value, "a finite number");

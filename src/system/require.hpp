@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "system/error.hpp"
@@ -13,13 +12,6 @@ namespace sys {
 class InvalidQuantity : public InputError {
  public:
   InvalidQuantity(std::string_view quantity, double value, std::string_view allowed);
-
-  const std::string& quantity() const { return quantity_; }
-  const std::string& allowed() const { return allowed_; }
-
- private:
-  std::string quantity_;
-  std::string allowed_;
 };
 
 /// Returns `value` if it is a finite number; throws InvalidQuantity otherwise.

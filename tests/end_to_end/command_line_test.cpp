@@ -114,18 +114,6 @@ BOOST_AUTO_TEST_CASE(ranges_have_both_ends_and_decimal_steps) {
   BOOST_TEST(x("0,5mm,1:2:1cm") == (Words{"0", "5", "10", "20"}), boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(points_may_come_from_a_list_a_file_or_standard_input) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("my points.txt", "# mm\n-0.5\n\n0\n 1.5\n").string();
-  const std::string by_list = output_of(strip + words_of("--x -0.5,0,1.5 --format csv"));
-
-  BOOST_TEST(output_of(strip + Words{"--x-file", file, "--format", "csv"}) == by_list);
-  const ShellResult piped = run_shell(R"(seq -0.5 0.5 1.5 | "$1" displacement --shape uniform )"
-                                      "--peak-pressure 100 --half-width 1 --x-file - --format csv",
-                                      {HALFSPACE_PROGRAM});
-  BOOST_TEST(sys::lines_of(piped.output).size() == 6U, piped.output);
-}
-
 BOOST_AUTO_TEST_CASE(displacement_prints_the_digits_of_the_paper) {
   // Ruggiero (2001), Appendix 1, output of Tri_dist.m. The third was taken at x = 0.01 + 1e-7.
   const Words printed = {"1.6236048e-06", "1.5187874e-06", "1.3558976e-06", "1.2635610e-06",

@@ -171,16 +171,16 @@ BOOST_AUTO_TEST_CASE(stresses_beneath_a_strip_match_johnson) {
              1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(stresses_use_poissons_ratio_of_the_chosen_body) {
-  const auto mises = [](const char* body) {
-    return of(json_of(words_of("stress --radius1 10 --load 100 --z 0 --young 1e5 --poisson1 0 "
-                               "--poisson2 0.4 --body") +
-                      Words{body})
-                  .at(0),
-              "von_mises");
+BOOST_AUTO_TEST_CASE(stresses_use_poissons_ratio_of_the_first_body) {
+  const auto mises = [](const char* ratios) {
+    return of(
+        json_of(words_of("stress --radius1 10 --load 100 --z 0 --young 1e5") + words_of(ratios))
+            .at(0),
+        "von_mises");
   };
 
-  BOOST_TEST(relative_difference(mises("2"), 0.2 * mises("1")) < 1e-9);
+  BOOST_TEST(relative_difference(mises("--poisson1 0.4 --poisson2 0"),
+                                 0.2 * mises("--poisson1 0 --poisson2 0.4")) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_that_is_large_for_half_spaces_is_computed_with_a_warning) {
