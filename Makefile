@@ -86,3 +86,5 @@ clean: ## removes all build results
 help: ## prints this list
 	@sed -n 's/^\([a-z-]*\):.* ## /  make \1\t/p' Makefile | expand -t 19
 	@sed -n 's/^#  \( .*\)/\1/p' Makefile
+	@printf '%s lines in src, %s in tests; src/budget.txt limits each folder\n' \
+	  "$$(git ls-files src | xargs cat | wc -l)" "$$(git ls-files tests | xargs cat | wc -l)"
