@@ -27,12 +27,13 @@ export $(variables)
 
 # Only one make runs at a time. If the checkout was moved, CMake starts from scratch; Ninja detects all other changes.
 lock = mkdir -p build && exec 9>build/.lock && { flock --nonblock 9 || { echo 'waiting for the other make in this folder' >&2; flock 9; }; }
+stop = { grep -A 99 'CMake Error' build/configure.log >&2 || cat build/configure.log >&2; \
+	  echo "'make setup $@' installs packages that are missing" >&2; exit 2; }
 configure = $(lock); [ "$$(cat build/configured 2>/dev/null)" = "$$PWD" ] || { \
-	  cmake --preset release >build/configure.log 2>&1 || cmake --fresh --preset release >build/configure.log 2>&1 || { \
-	    cat build/configure.log >&2; exit 2; }; \
+	  cmake --preset release >build/configure.log 2>&1 || cmake --fresh --preset release >build/configure.log 2>&1 || $(stop); \
 	  pwd >build/configured; }
 with_tests = $(configure); grep -q BUILD_TESTING:BOOL=ON build/release/CMakeCache.txt || \
-	cmake --preset release -DBUILD_TESTING=ON >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 2; }
+	cmake --preset release -DBUILD_TESTING=ON >build/configure.log 2>&1 || $(stop)
 ctest = env -u MAKEFLAGS -u MAKELEVEL ctest
 ninja = $(literate) build --folder build/release
 literate = python3 src/literate/tools/literate
