@@ -36,17 +36,9 @@ Bodies cylinders_of(const ContactFlags& flags, const std::optional<ContactCase>&
   auto radius2 = radius_of(flags.radius2, units.length);
   if (!radius1) radius1 = from_case->body1.radius;
   if (!radius2) radius2 = from_case ? from_case->body2.radius : Radius::of_plane();
-  const double curvature1 = radius1->curvature(), curvature2 = radius2->curvature();
-  if (!(curvature1 + curvature2 > 0)) {
-    throw sys::InputError(
-        fmt::format("1/radius1 + 1/radius2 = {}: must be greater than 0: at most one plane, and a "
-                    "hollow only if "
-                    "wider than the cylinder in it",
-                    rounded(curvature1 + curvature2)));
-  }
   const line_contact::CylinderPair cylinders(materials.first, *radius1, materials.second, *radius2);
   return {cylinders.profile(), line_contact::Hertz(cylinders, load),
-          1 / std::max(std::abs(curvature1), std::abs(curvature2))};
+          1 / std::max(std::abs(radius1->curvature()), std::abs(radius2->curvature()))};
 }
 
 Bodies bodies_of(const ContactFlags& flags, const std::optional<ContactCase>& from_case,
