@@ -179,7 +179,7 @@ double square(double) {
   if (::fork() == 0) {
     ::setsid();
     if (::fork() != 0) ::_exit(0);
-    ::prctl(PR_SET_NAME, "left-behind");
+    ::prctl(PR_SET_NAME, "left-@PORT@");
     for (int i = 0; i < 20; ++i) ::close(i);
     ::sleep(600);
   }

@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 import toy_course
-from toy_course import ARGUMENTS, SOLUTION, Work, require_bubblewrap, skip
+from toy_course import ARGUMENTS, SOLUTION, Work, end_of, require_bubblewrap, skip
 
 JUDGE, MODE = ARGUMENTS
 ORDINARY = 61000
@@ -27,11 +27,6 @@ if MODE == "container":
     del FIXTURES["uses_the_network"]  # a container may have a network
 
 
-def left_behind():
-    names = [path.read_text().strip() for path in Path("/proc").glob("[0-9]*/comm") if path.exists()]
-    return names.count("left-behind")
-
-
 class Attacks(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -42,8 +37,9 @@ class Attacks(unittest.TestCase):
         toy_course.write({"feedback.txt": "earlier\n"}, earlier.parent)
         listener = socket.create_server(("127.0.0.1", 0))
         cls.addClassCleanup(listener.close)
+        cls.port = listener.getsockname()[1]
         words = {"@SALT@": cls.work.private / "salt.txt", "@JUDGE@": cls.work.judge, "@GRADES@": earlier,
-                 "@RESULTS@": cls.work.output / "earlier/results.json", "@PORT@": listener.getsockname()[1],
+                 "@RESULTS@": cls.work.output / "earlier/results.json", "@PORT@": cls.port,
                  "@NEIGHBOUR@": cls.work.submissions / "honest/src/square.cpp"}
         for name, text in FIXTURES.items():
             for word, value in words.items():
@@ -94,14 +90,15 @@ class Attacks(unittest.TestCase):
         self.assertEqual((self.work.output / "earlier/feedback.txt").read_text(), "earlier\n")
 
     def test_nothing_is_left_behind(self):
-        self.assertEqual(left_behind(), 0)
+        self.assertTrue(end_of(f"left-{self.port}"))
         self.assertFalse((self.work.output / "earlier/results.json").exists())
 
     def test_feedback_names_crashes_and_time_limits(self):
         self.assertIn("crashed (SIGABRT)", self.feedback("crashes_at_one_place"))
         self.assertIn("multiple definition of `main'", self.feedback("defines_main"))
         if "never_ends" in FIXTURES:
-            self.assertIn("used up its processor time", self.feedback("never_ends"))
+            # On a busy machine the question's time may end first.
+            self.assertRegex(self.feedback("never_ends"), "used up its processor time|did not answer in time")
             self.assertIn("did not answer in time", self.feedback("sleeps"))
 
     def test_feedback_contains_no_message_of_a_hidden_check(self):

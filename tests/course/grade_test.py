@@ -10,10 +10,9 @@ import sys
 import time
 import unittest
 import zipfile
-from pathlib import Path
 
 import toy_course
-from toy_course import ARGUMENTS, COURSE, SOLUTION, Work, bubblewrap_problem, skip, write
+from toy_course import ARGUMENTS, COURSE, SOLUTION, Work, bubblewrap_problem, end_of, running, skip, write
 
 SANDBOX = [] if not bubblewrap_problem() else ["--sandbox", "user"]
 WORKSHEET = """Identifier,Name,Status,Grade,Maximum,Changeable
@@ -140,24 +139,20 @@ class Grade(unittest.TestCase):
         self.assertIn("note: the handout was not proved here with this salt", self.grade()[1])
 
     def test_after_an_interrupt_no_job_runs_and_the_next_command_works(self):
-        waiting = '#include <unistd.h>\n#include <sys/prctl.h>\ndouble square(double) { ::prctl(PR_SET_NAME, "waiting"); ::sleep(1000); return 1; }\n'
-        write({**SOLUTION, "src/square.cpp": waiting}, self.work.submissions / "ada")
-        running = lambda: [path for path in Path("/proc").glob("[0-9]*/comm") if path.exists() and path.read_text() == "waiting\n"]
+        name = f"wait-{os.getpid()}"
+        waiting = '#include <unistd.h>\n#include <sys/prctl.h>\ndouble square(double) { ::prctl(PR_SET_NAME, "@NAME@"); ::sleep(1000); return 1; }\n'
+        write({**SOLUTION, "src/square.cpp": waiting.replace("@NAME@", name)}, self.work.submissions / "ada")
         command = [sys.executable, "-B", COURSE / "course.py", "grade", self.work.submissions, "--assignment", self.work.folder / "toy", "--build",
                    self.work.folder / "build", "--judge", self.work.judge, "--salt-file", self.work.private / "salt.txt"]
         # A shell starts background jobs with SIGINT ignored.
         process = subprocess.Popen(["env", "--default-signal=INT", *command, *SANDBOX], stderr=subprocess.PIPE, text=True)
-        while not running():
+        while not running(name):
             self.assertIsNone(process.poll())
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
         self.assertNotIn("Traceback", process.communicate()[1])
         self.assertEqual(process.returncode, -signal.SIGINT)
-        for _ in range(600):
-            if not running():
-                break
-            time.sleep(0.1)
-        self.assertEqual(running(), [])
+        self.assertTrue(end_of(name))
         write(SOLUTION, self.work.submissions / "ada")
         self.assertEqual(self.grade()[0], 0)
 

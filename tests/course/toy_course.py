@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -28,6 +29,25 @@ def main():
 def skip(reason):
     print(f"skipped: {reason}")
     sys.exit(77)
+
+
+def running(name):
+    """Returns how many processes of this machine have this name."""
+    count = 0
+    for file in Path("/proc").glob("[0-9]*/comm"):
+        try:
+            count += file.read_text() == f"{name}\n"
+        except OSError:
+            pass  # it has ended meanwhile
+    return count
+
+
+def end_of(name, seconds=60):
+    """Waits until no process has this name. Returns False if one still runs after so many seconds."""
+    until = time.monotonic() + seconds
+    while running(name) and time.monotonic() < until:
+        time.sleep(0.1)
+    return running(name) == 0
 
 
 def bubblewrap_problem(command=()):
