@@ -77,8 +77,9 @@ test-all: ## runs every test
 bench: ## runs the benchmarks, build/bench/bench.json
 	@$(lock); cmake --preset bench >build/configure.log && ninja -C build/bench --quiet halfspace_bench && \
 	  build/bench/halfspace_bench --benchmark_out=build/bench/bench.json --benchmark_out_format=json
-tidy: ## runs clang-format and clang-tidy on every source
+tidy: ## runs clang-format, clang-tidy and mypy on every source
 	@$(lock); git ls-files 'src/*.[ch]pp' 'tests/*.[ch]pp' | xargs clang-format -i && \
+	  mypy --strict --cache-dir build/mypy src/course/*.py src/literate/tools/literate_tools src/literate/python/literate.py && \
 	  cmake --preset tidy >build/configure.log && ninja -C build/tidy all
 setup: ## installs Debian packages: make setup report
 	@sh src/toolchain/setup $(filter-out setup clean help,$(MAKECMDGOALS))

@@ -2,8 +2,11 @@
 """Reads report/assignment/assignment.toml: the exercises, checks, points and limits."""
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TypeVar
 
 from errors import BadInput
+
+Kind = TypeVar("Kind")
 
 
 @dataclass(frozen=True)
@@ -14,7 +17,7 @@ class Check:
     description: str  # what it tests, for students
 
     @property
-    def is_public(self):
+    def is_public(self) -> bool:
         return self.visibility == "public"
 
 
@@ -22,15 +25,15 @@ class Check:
 class Exercise:
     id: str  # its file is src/ID.cpp
     title: str
-    builds_on: list  # ids of earlier exercises whose functions its checks also call
-    check: list
+    builds_on: list[str]  # ids of earlier exercises whose functions its checks also call
+    check: list[Check]
 
     @property
-    def file(self):
+    def file(self) -> str:
         return f"src/{self.id}.cpp"
 
     @property
-    def points(self):
+    def points(self) -> float:
         return round(sum(check.points for check in self.check), 2)
 
 
@@ -49,16 +52,16 @@ class Assignment:
     title: str
     due: str  # printed on the sheet as it is
     points: float
-    provided: list  # patterns of files below src that are copied into the handout
-    not_secret: list  # lines of the solution that the handout may contain
+    provided: list[str]  # patterns of files below src that are copied into the handout
+    not_secret: list[str]  # lines of the solution that the handout may contain
     limits: Limits
-    exercise: list
+    exercise: list[Exercise]
 
     @property
-    def checks(self):
+    def checks(self) -> list[Check]:
         return [check for exercise in self.exercise for check in exercise.check]
 
-    def exercises_behind(self, exercise):
+    def exercises_behind(self, exercise: Exercise) -> set[str]:
         """Returns the ids of all exercises that this one builds on, directly or indirectly."""
         behind = set(exercise.builds_on)
         for earlier in reversed(self.exercise):
@@ -67,7 +70,7 @@ class Assignment:
         return behind
 
 
-def dataclass_from(kind, table, where):
+def dataclass_from(kind: type[Kind], table: dict[str, Any], where: str | Path) -> Kind:
     """Makes a dataclass from a table that has exactly its fields as keys."""
     try:
         return kind(**table)
@@ -75,9 +78,9 @@ def dataclass_from(kind, table, where):
         raise BadInput(f"{where}: {error}") from None
 
 
-def from_table(table, where):
+def from_table(table: dict[str, Any], where: str | Path) -> Assignment:
     """Makes an Assignment from a table read from TOML or JSON. Raises BadInput for wrong keys or points that do not add up."""
-    exercises = []
+    exercises: list[Exercise] = []
     for entry in table.get("exercise", []):
         checks = [dataclass_from(Check, check, f"{where}: check '{check.get('id', '?')}'") for check in entry.get("check", [])]
         exercise = dataclass_from(Exercise, entry | {"check": checks}, f"{where}: exercise '{entry.get('id', '?')}'")
@@ -93,7 +96,7 @@ def from_table(table, where):
     return assignment
 
 
-def read_toml(file):
+def read_toml(file: Path) -> dict[str, Any]:
     import tomllib  # not at the top, because Python 3.10 on Gradescope does not have it
     try:
         return tomllib.loads(Path(file).read_text(encoding="utf-8"))
@@ -101,5 +104,5 @@ def read_toml(file):
         raise BadInput(f"{file}: {error}") from None
 
 
-def read(file):
+def read(file: Path) -> Assignment:
     return from_table(read_toml(file), file)

@@ -12,9 +12,12 @@ import os
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 
+from assignment import Assignment, Exercise
 from errors import Disproved, progress, run_tool
+from sandbox import Sandbox
 
 # Under a memory limit g++ collects garbage so often that Eigen takes 50 % longer to compile, unless its heap may grow to 200 MB.
 FLAGS = ["-std=c++20", "-O2", "-pipe", "--param=ggc-min-heapsize=200000", "-I/usr/include/eigen3", "-fmax-errors=10",
@@ -22,9 +25,10 @@ FLAGS = ["-std=c++20", "-O2", "-pipe", "--param=ggc-min-heapsize=200000", "-I/us
 LIBRARIES = ["-lgsl", "-lgslcblas", "-lm"]
 LINK_SECONDS = 5
 MAX_MESSAGE = 3000  # characters of a compiler error in the feedback
+Compiled = tuple[Path, set[str], set[str]]  # an object, the names that it needs, and the names that it defines
 
 
-def hash_of(*parts):
+def hash_of(*parts: object) -> str:
     digest = hashlib.sha256()
     for part in parts:
         data = part if isinstance(part, bytes) else str(part).encode()
@@ -32,7 +36,7 @@ def hash_of(*parts):
     return digest.hexdigest()[:24]
 
 
-def write(files, folder):
+def write(files: Mapping[str, str | bytes], folder: str | Path) -> None:
     """Writes files, {name: text or bytes}, to a folder."""
     for name, content in files.items():
         path = Path(folder, name)
@@ -43,14 +47,14 @@ def write(files, folder):
 class Kit:
     """The handout, built once by its own CMakeLists.txt. Its objects are the stubs of the exercises and the provided code."""
 
-    def __init__(self, folder):
+    def __init__(self, folder: Path) -> None:
         self.folder = Path(folder)
         self.key, self.log = ((self.folder / name).read_text(encoding="utf-8") for name in ("key", "log"))
         objects = self.folder.glob("build/CMakeFiles/*.dir/provided/**/*.o")
         self.given = sorted(path.relative_to(self.folder).as_posix() for path in objects if "checks.dir" not in path.parts)
 
     @classmethod
-    def built(cls, folder, handout, jobs):
+    def built(cls, folder: Path, handout: dict[str, str], jobs: int) -> "Kit":
         """Returns the kit in this folder. Builds it first unless it was built from the same handout, {name: text}."""
         code = {name: text for name, text in sorted(handout.items()) if name.endswith((".cpp", ".hpp", ".txt"))}
         compiler = subprocess.run(["g++", "--version"], capture_output=True, check=False).stdout
@@ -70,13 +74,14 @@ class Failed(Exception):
 
 
 class Builder:
-    def __init__(self, assignment, kit, sandbox, store):
+    def __init__(self, assignment: Assignment, kit: Kit, sandbox: Sandbox, store: str | Path) -> None:
         self.assignment, self.kit, self.sandbox, self.store = assignment, kit, sandbox, Path(store)
 
-    def build(self, files):
+    def build(self, files: dict[str, bytes]) -> tuple[dict[str, Path], dict[str, str]]:
         """Builds a submission's files, {name: bytes}. Returns the folders that contain `program`, {exercise id: folder}, and why
         files were left out, {file: reason}."""
-        objects, programs, errors = {}, {}, {}
+        programs: dict[str, Path] = {}
+        objects, errors = {}, {}
         for exercise in self.assignment.exercise:
             try:
                 objects[exercise.id] = self.compile(exercise, files)
@@ -85,7 +90,7 @@ class Builder:
                 errors[exercise.file] = str(error)
         return programs, errors
 
-    def compile(self, exercise, files):
+    def compile(self, exercise: Exercise, files: dict[str, bytes]) -> Compiled:
         """Compiles the file of an exercise. Returns the object, the names that it needs, and the names that it defines."""
         if exercise.file not in files:
             raise Failed(f"{exercise.file} was not submitted")
@@ -98,7 +103,7 @@ class Builder:
         needed = {name for name, kind in symbols if kind == "U"}
         return folder / "object.o", needed, {name for name, _ in symbols} - needed
 
-    def link(self, exercise, earlier, objects):
+    def link(self, exercise: Exercise, earlier: dict[str, Path], objects: dict[str, Compiled]) -> Path:
         """Links the program of an exercise: its object, those of the earlier exercises that it builds on or calls, and stubs."""
         behind = self.assignment.exercises_behind(exercise)
         own = [exercise.id]
@@ -114,7 +119,7 @@ class Builder:
         except Failed as error:
             raise Failed(f"{exercise.file} does not link:\n{error}") from None
 
-    def run_job(self, inputs, words, seconds):
+    def run_job(self, inputs: Mapping[str, bytes], words: list[str], seconds: int) -> Path:
         """Returns the folder with a job's result. Runs the job unless the store has it. Raises Failed if the job fails."""
         key = hash_of(self.kit.key, [word.replace(self.sandbox.kit, "KIT") for word in words], inputs)
         folder = self.store / key
@@ -135,7 +140,7 @@ class Builder:
             raise Failed((folder / "error").read_text(encoding="utf-8"))
         return folder
 
-    def message(self, text, seconds):
+    def message(self, text: str, seconds: int) -> str:
         """Returns the message for the student when the compiler or linker failed with this text."""
         lines = text.replace(f"{self.sandbox.kit}/", "").splitlines()
         text = printable("\n".join(line for line in lines if not line.startswith("                 from ")))[:MAX_MESSAGE].strip()
@@ -146,6 +151,6 @@ class Builder:
         return text
 
 
-def printable(text):
+def printable(text: str) -> str:
     """Replaces characters that control a terminal or reverse the direction of text."""
     return "".join(c if c in "\n\t" or c.isprintable() else "?" for c in text)

@@ -9,13 +9,14 @@ import io
 import re
 from pathlib import Path
 
+from assignment import Assignment
 from errors import BadInput
 
 BYTE_ORDER_MARK = "\ufeff"
 
 
 class ClassFile:
-    def __init__(self, path, assignment):
+    def __init__(self, path: Path, assignment: Assignment) -> None:
         self.path, self.assignment = Path(path), assignment
         try:
             self.text = self.path.read_bytes().decode()
@@ -32,10 +33,10 @@ class ClassFile:
         else:
             raise self.error("this is neither a Moodle grading worksheet nor a Canvas gradebook")
 
-    def error(self, text):
+    def error(self, text: object) -> BadInput:
         return BadInput(f"{self.path}: {text}")
 
-    def read_canvas(self, head, rows):
+    def read_canvas(self, head: list[str], rows: list[list[str]]) -> None:
         begin = f"{self.assignment.title} ("
         fitting = [i for i, name in enumerate(head) if name.startswith(begin)]
         if len(fitting) != 1:
@@ -45,7 +46,7 @@ class ClassFile:
         self.students = {row[1]: row for row in rows if row[1].isdigit()}
         self.require_maximum(next((row[self.column] for row in rows if "Points Possible" in row[0]), ""))
 
-    def read_moodle(self, rows):
+    def read_moodle(self, rows: list[list[str]]) -> None:
         maxima = [i for i in range(2, len(rows[0]))
                   if re.fullmatch(r"\d+[.,]\d\d", rows[0][i]) and len({row[i] for row in rows}) == 1]
         if not maxima:
@@ -53,15 +54,15 @@ class ClassFile:
         self.column = maxima[0] - 1
         maximum = rows[0][maxima[0]]
         self.decimal = "," if "," in maximum else "."
-        self.students = {re.search(r"\d+$", row[0])[0]: row for row in rows}
+        self.students = {re.sub(r"\D", "", row[0]): row for row in rows}
         self.require_maximum(maximum)
 
-    def require_maximum(self, text):
+    def require_maximum(self, text: str) -> None:
         if re.fullmatch(r"\s*\d+([.,]\d+)?\s*", text) and float(text.replace(",", ".")) != self.assignment.points:
             raise self.error(f"the maximum mark is {text.strip()}, but the assignment has {self.assignment.points:g} points; "
                              "change one of them")
 
-    def row_of(self, id):
+    def row_of(self, id: str) -> list[str]:
         """Finds the row of a student: by the system's number, or by a cell equal to the id if only one row has such a cell."""
         if id in self.students:
             return self.students[id]
@@ -70,7 +71,7 @@ class ClassFile:
             raise self.error(f"the id '{id}' is in {len(having)} rows instead of one")
         return having[0]
 
-    def filled(self, marks):
+    def filled(self, marks: dict[str, float]) -> str:
         """Returns the text of the file with these marks, {id: points}. All other rows stay as they are."""
         for id, points in marks.items():
             self.row_of(id)[self.column] = f"{points:.2f}".replace(".", self.decimal)

@@ -9,6 +9,7 @@ import secrets
 import shutil
 import signal
 import sys
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
@@ -21,7 +22,7 @@ import template
 from build import Kit, hash_of, write
 from class_file import ClassFile
 from errors import BadInput, Disproved, ToolFailure, progress
-from grading import Grader, Judge, feedback_text, results_json, teacher_text
+from grading import Graded, Grader, Judge, feedback_text, results_json, teacher_text
 from proof import Proof, secrets_of
 from sandbox import SANDBOXES
 from submission import submissions_in
@@ -38,28 +39,28 @@ exit codes: 0 success, 1 a claim does not hold or a submission was not graded, 2
 class Course:
     """What all commands use: the assignment, the students' project, and the folders for results."""
 
-    def __init__(self, options):
-        self.folder = options.assignment
-        self.build = options.build.resolve()
+    def __init__(self, options: argparse.Namespace) -> None:
+        self.folder: Path = options.assignment
+        self.build: Path = options.build.resolve()
         self.work = self.build / "course"
         self.assignment = assignments.read(self.folder / "assignment.toml")
         self.project = template.project(self.assignment, self.folder, ROOT / "src")
         self.handout = {name: file.handout for name, file in self.project.items()}
-        self.salt_file = options.salt_file.resolve()
-        self.judge_file = options.judge.resolve()
+        self.salt_file: Path = options.salt_file.resolve()
+        self.judge_file: Path = options.judge.resolve()
         self.work.mkdir(parents=True, exist_ok=True)
 
-    def require_salt(self):
+    def require_salt(self) -> None:
         if not self.salt_file.exists() or not self.salt_file.read_bytes():
             raise BadInput(f"{self.salt_file}: there is no salt for the hidden checks; \"prove\" writes one")
 
-    def secrets(self):
+    def secrets(self) -> dict[str, str]:
         checks = [*ROOT.glob("src/assignment/hidden/*.?pp"), *ROOT.glob("src/assignment/exercises/*.?pp")]
         hidden = [path for path in checks if "hidden" in path.as_posix()]
         return secrets_of(self.assignment, self.project, hidden, [path for path in checks if path not in hidden])
 
 
-def prove(options):
+def prove(options: argparse.Namespace) -> int:
     course = Course(options)
     output = course.build / "handout"
     if output.exists() and not (output / "src").is_dir():
@@ -75,13 +76,13 @@ def prove(options):
     proof.prove(course.secrets(), inputs, options.update)
 
     replace_folder(output, {**course.handout, "sheet.pdf": pdf})
-    packed = shutil.make_archive(output, "zip", course.build, output.name)
+    packed = shutil.make_archive(str(output), "zip", course.build, output.name)
     (course.work / "proved").write_text(hash_of(course.salt_file.read_bytes()), encoding="utf-8")
     print(f"{os.path.relpath(output)}\n{os.path.relpath(packed)}")
     return 0
 
 
-def grade(options):
+def grade(options: argparse.Namespace) -> int:
     course = Course(options)
     course.require_salt()
     output = course.build / "grades"
@@ -91,8 +92,9 @@ def grade(options):
     class_file = ClassFile(options.class_file, course.assignment) if options.class_file else None
 
     submitted, problems = read_submissions(options.submissions, course.assignment)
-    for id in submitted if class_file else []:
-        class_file.row_of(id)
+    if class_file:
+        for id in submitted:
+            class_file.row_of(id)
     for id, problem in problems.items():
         print(f"{id}: not graded: {problem}", file=sys.stderr)
     if not submitted:
@@ -104,7 +106,7 @@ def grade(options):
     output.mkdir(exist_ok=True)
     output.chmod(0o700)  # hides it from submissions in the sandbox "user"
     for id, graded in grade_all(course, options, submitted):
-        if isinstance(graded, Exception):
+        if isinstance(graded, BaseException):
             problems[id] = f"the grader failed: {graded}"
             print(f"{id}: not graded: {problems[id]}", file=sys.stderr)
         else:
@@ -119,14 +121,14 @@ def grade(options):
     written = [output, table]
     if class_file:
         written.append(course.build / options.class_file.name)
-        new_marks = {id: marks[id] for id in submitted if id not in problems}
+        new_marks = {id: points for id in submitted if (points := marks[id]) is not None}
         written[-1].write_text(class_file.filled(new_marks), encoding="utf-8", newline="")
     n_submissions = len(submitted.keys() | problems.keys())
     print(f"{n_submissions - len(problems)} of {n_submissions} submissions were graded", *map(os.path.relpath, written), sep="\n")
     return 1 if problems else 0
 
 
-def read_submissions(source, assignment):
+def read_submissions(source: Path, assignment: assignments.Assignment) -> tuple[dict[str, dict[str, bytes]], dict[str, str]]:
     """Returns the files of each submission, {id: {name: bytes}}, and why a submission cannot be graded, {id: reason}."""
     submitted, problems = {}, {}
     for submission in submissions_in(source):
@@ -137,7 +139,8 @@ def read_submissions(source, assignment):
     return submitted, problems
 
 
-def grade_all(course, options, submitted):
+def grade_all(course: Course, options: argparse.Namespace,
+              submitted: dict[str, dict[str, bytes]]) -> Iterator[tuple[str, Graded | BaseException]]:
     """Grades submissions in parallel. Yields each id with its Graded, or with the exception that the grader raised."""
     judge = Judge(course.judge_file, course.salt_file)
     kit = Kit.built(course.work / "kit", course.handout, options.jobs)
@@ -146,7 +149,7 @@ def grade_all(course, options, submitted):
     scratch = course.work / "scratch"
     shutil.rmtree(scratch, ignore_errors=True)  # what an interrupted command has left
 
-    def grade_one(id):
+    def grade_one(id: str) -> Graded:
         (scratch / id).mkdir(parents=True)
         sandbox = sandbox_class(kit.folder, course.assignment.limits)
         graded = Grader(course.assignment, kit, sandbox, judge, scratch / id).grade(submitted[id], id)
@@ -161,7 +164,7 @@ def grade_all(course, options, submitted):
             yield waiting[future], future.exception() or future.result()
 
 
-def replace_folder(folder, files):
+def replace_folder(folder: Path, files: Mapping[str, str | bytes]) -> None:
     """Replaces a folder by one with these files."""
     new = folder.with_name(f".{folder.name}.new")
     shutil.rmtree(new, ignore_errors=True)
@@ -170,7 +173,7 @@ def replace_folder(folder, files):
     new.rename(folder)
 
 
-def write_table(assignment, output, table):
+def write_table(assignment: assignments.Assignment, output: Path, table: Path) -> dict[str, float | None]:
     """Writes the points of each student with a folder in `output` to a table. Returns them, {id: points or None}."""
     marks = {}
     with open(table, "w", encoding="utf-8", newline="") as file:
@@ -186,7 +189,7 @@ def write_table(assignment, output, table):
     return marks
 
 
-def pack_for_gradescope(options):
+def pack_for_gradescope(options: argparse.Namespace) -> int:
     course = Course(options)
     course.require_salt()
     output = course.build / "gradescope.zip"
@@ -196,7 +199,7 @@ def pack_for_gradescope(options):
     return 0
 
 
-def parser():
+def parser() -> argparse.ArgumentParser:
     shared = argparse.ArgumentParser(add_help=False)
     shared.add_argument("--assignment", type=Path, default=ROOT / "report/assignment", metavar="FOLDER",
                         help="folder of the assignment (report/assignment)")
@@ -206,7 +209,8 @@ def parser():
     shared.add_argument("--salt-file", type=Path, default=ROOT / "salt.txt", metavar="FILE",
                         help="the salt, which determines the numbers of the hidden checks (salt.txt)")
     jobs = argparse.ArgumentParser(add_help=False)
-    jobs.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="number of parallel jobs (one per processor)")
+    jobs.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N",
+                      help="number of parallel jobs (one per processor)")
     jobs.add_argument("--sandbox", choices=SANDBOXES, default="bubblewrap",
                       help="'user' is for root in a container that contains nothing else")
 
@@ -225,12 +229,12 @@ def parser():
     return commands
 
 
-def main():
+def main() -> int:
     options = parser().parse_args()
     os.umask(0o022)  # a job runs as a different user
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # ends this process at once, and with it its jobs
     try:
-        return options.run(options)
+        return int(options.run(options))
     except (BadInput, ToolFailure, Disproved) as error:
         print(error, file=sys.stderr)
         return {BadInput: 2, ToolFailure: 3, Disproved: 1}[type(error)]

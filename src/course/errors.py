@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 
 class BadInput(Exception):
@@ -17,7 +18,7 @@ class Disproved(Exception):
     """A claim about the handout does not hold: exit code 1."""
 
 
-def run_tool(words, folder, failure=ToolFailure, **environment):
+def run_tool(words: list[str], folder: str | Path, failure: type[Exception] = ToolFailure, /, **environment: str) -> str:
     """Runs a tool in a folder. Returns what it prints; raises `failure` with the end of it if the tool fails."""
     try:
         done = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace", check=False,
@@ -30,5 +31,5 @@ def run_tool(words, folder, failure=ToolFailure, **environment):
     return output
 
 
-def progress(what, done, total):
+def progress(what: str, done: int, total: int) -> None:
     print(f"{what}: {done} of {total}", file=sys.stderr)

@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from assignment import from_table
+from assignment import Assignment, from_table
 from build import Kit, write
 from errors import BadInput, ToolFailure
 from grading import Grader, Judge, results_json, teacher_text
@@ -39,7 +39,7 @@ exec python3 /autograder/source/course/gradescope.py grade
 """
 
 
-def pack(assignment, handout, judge, output):
+def pack(assignment: Assignment, handout: dict[str, str], judge: Judge, output: Path) -> None:
     """Writes the zip."""
     with tempfile.TemporaryDirectory() as folder:
         write({"setup.sh": SETUP, "run_autograder": RUN,
@@ -49,19 +49,19 @@ def pack(assignment, handout, judge, output):
                **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp", ".txt"))}}, folder)
         for name in ("setup.sh", "run_autograder", "judge"):
             os.chmod(Path(folder, name), 0o755)
-        shutil.make_archive(output.with_suffix(""), "zip", folder)
+        shutil.make_archive(str(output.with_suffix("")), "zip", folder)
 
 
-def setup(source):
+def setup(source: Path) -> None:
     """Compiles the kit, which submissions may read. They may read nothing else."""
     handout = source / "handout"
     texts = {path.relative_to(handout).as_posix(): path.read_text(encoding="utf-8") for path in handout.rglob("*.*")}
-    Kit.built(AUTOGRADER / "kit", texts, os.cpu_count())
+    Kit.built(AUTOGRADER / "kit", texts, os.cpu_count() or 1)
     os.chmod(source / "judge", 0o700)
     os.chmod(source, 0o700)
 
 
-def grade(source):
+def grade(source: Path) -> None:
     """Grades /autograder/submission. If the grader itself fails, it writes no results, so that nobody gets zero points."""
     results = AUTOGRADER / "results"
     os.chmod(source, 0o700)

@@ -9,54 +9,58 @@ import subprocess
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from build import Builder, hash_of, printable
+from assignment import Assignment, Check, Exercise
+from build import Builder, Kit, hash_of, printable
 from errors import BadInput, ToolFailure
+from sandbox import Sandbox
 
 GRACE = 3  # seconds for the questions of an exercise after the submission has used up its time
+Outcomes = dict[str, tuple[float, str]]  # {check id: (share, message)}
 
 
 @dataclass
 class Result:
-    check: object
+    check: Check
     points: float
     message: str  # the message of a hidden check is for the teacher only
 
 
 @dataclass
 class Graded:
-    results: list
-    errors: dict  # {file: why it was left out}
+    results: list[Result]
+    errors: dict[str, str]  # {file: why it was left out}
 
     @property
-    def points(self):
+    def points(self) -> float:
         return round(sum(result.points for result in self.results), 2)
 
 
 class Judge:
     """The judge's program, and the salt that determines the numbers of the hidden checks; by default they are nominal."""
 
-    def __init__(self, program, salt_file="/dev/null"):
+    def __init__(self, program: str | Path, salt_file: str | Path = "/dev/null") -> None:
         self.program, self.salt_file = Path(program).resolve(), Path(salt_file)
         if not self.program.exists():
             raise ToolFailure(f"{program} does not exist; \"make course DO=…\" compiles it")
         self.key = hash_of(self.program.read_bytes(), self.salt_file.read_bytes())
 
-    def numbers(self):
+    def numbers(self) -> list[list[str]]:
         """Returns the nominal numbers, lists of name, value and unit."""
         return [line.split() for line in self.call("--numbers", "").splitlines()]
 
-    def call(self, *words):
+    def call(self, *words: str | Path) -> str:
         # The judge must end when this process ends; the student's program then ends too.
-        command = ["setpriv", "--pdeathsig", "KILL", self.program, *words]
+        command: list[str | Path] = ["setpriv", "--pdeathsig", "KILL", self.program, *words]
         done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
         if done.returncode not in (0, 1):
             raise ToolFailure(f"{self.program.name} failed ({done.returncode}): {done.stderr.strip()}")
         return done.stdout
 
-    def ask(self, exercise, visibility, student, seconds, command):
+    def ask(self, exercise: Exercise, visibility: str, student: str, seconds: float, command: list[str]) -> Outcomes:
         """Returns {check id: (share, message)} of a program, whose answers may take so many seconds together."""
-        origin = ["--student", student] if visibility == "public" else ["--salt", self.salt_file]
+        origin: list[str | Path] = ["--student", student] if visibility == "public" else ["--salt", self.salt_file]
         rows = self.call("--exercise", exercise.id, *origin, "--seconds", f"{seconds:.3f}", "--", *command).splitlines()
         outcomes = {id: (float(share), message) for id, share, message in (row.split("\t") for row in rows)}
         listed = {check.id for check in exercise.check if check.visibility == visibility}
@@ -69,32 +73,33 @@ class Judge:
 class Grader:
     """Grades submissions. A store caches programs and outcomes: a proof keeps it, and grading deletes it."""
 
-    def __init__(self, assignment, kit, sandbox, judge, store):
+    def __init__(self, assignment: Assignment, kit: Kit, sandbox: Sandbox, judge: Judge, store: str | Path) -> None:
         self.assignment, self.sandbox, self.judge = assignment, sandbox, judge
         self.builder = Builder(assignment, kit, sandbox, store)
 
-    def grade(self, files, student=""):
+    def grade(self, files: dict[str, bytes], student: str = "") -> Graded:
         """Grades a submission's files, {name: bytes}, with the numbers that follow from the student's id."""
         end = time.monotonic() + self.assignment.limits.submission_seconds
         programs, errors = self.builder.build(files)
         graded = Graded([], errors)
         for exercise in self.assignment.exercise:
+            outcomes: Outcomes = {}
             if exercise.file in errors:
                 outcomes = {check.id: (0, f"{exercise.file} is missing, or does not compile or link") for check in exercise.check}
             else:
-                outcomes = {}
                 for visibility in ("public", "hidden"):
                     seconds = max(end - time.monotonic(), GRACE)
                     outcomes |= self.outcomes_of(exercise, visibility, student, seconds, programs[exercise.id])
             graded.results += capped(exercise, outcomes)
         return graded
 
-    def outcomes_of(self, exercise, visibility, student, seconds, folder):
+    def outcomes_of(self, exercise: Exercise, visibility: str, student: str, seconds: float, folder: Path) -> Outcomes:
         """Returns what Judge.ask returns for the program in a folder. Runs the judge unless the store has the outcome."""
         key = hash_of(self.judge.key, exercise, visibility, student if visibility == "public" else "", folder.name)
         file = self.builder.store / f"{key}.json"
         if file.exists():
-            return json.loads(file.read_text(encoding="utf-8"))
+            outcomes: Outcomes = json.loads(file.read_text(encoding="utf-8"))
+            return outcomes
         command = self.sandbox.command(["sh", "-c", "exec ./program 2> /dev/null"], folder, self.assignment.limits.run_seconds)
         try:
             outcomes = self.judge.ask(exercise, visibility, student, seconds, command)
@@ -106,9 +111,9 @@ class Grader:
         return outcomes
 
 
-def capped(exercise, outcomes):
+def capped(exercise: Exercise, outcomes: Outcomes) -> list[Result]:
     """Computes the points of an exercise's checks from {check id: (share, message)}, rounded to hundredths."""
-    def in_hundredths(points):
+    def in_hundredths(points: float) -> float:
         return round(points + 1e-9, 2)
 
     results = []
@@ -127,7 +132,7 @@ def capped(exercise, outcomes):
     return results
 
 
-def results_json(assignment, graded):
+def results_json(assignment: Assignment, graded: Graded) -> dict[str, Any]:
     """Returns the results in Gradescope's format. Of a hidden check, students see only the points."""
     tests = [{"name": f"{result.check.id}: {result.check.description}", "score": result.points, "max_score": result.check.points,
               "output": result.message if result.check.is_public else "", "visibility": "visible"} for result in graded.results]
@@ -135,7 +140,7 @@ def results_json(assignment, graded):
     return {"score": graded.points, "output": output, "stdout_visibility": "hidden", "tests": tests}
 
 
-def feedback_text(assignment, graded):
+def feedback_text(assignment: Assignment, graded: Graded) -> str:
     """Returns the same results as text."""
     lines = [f"{assignment.title}: {graded.points:g} of {assignment.points:g} points"]
     for exercise in assignment.exercise:
@@ -150,7 +155,7 @@ def feedback_text(assignment, graded):
     return printable("\n".join(lines)) + "\n"
 
 
-def teacher_text(graded):
+def teacher_text(graded: Graded) -> str:
     """Returns the messages of the hidden checks, for the teacher only."""
     return "".join(f"{result.points:g} of {result.check.points:g}  {result.check.id}  {result.message}".rstrip() + "\n"
                    for result in graded.results if not result.check.is_public)

@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Proves five claims about the handout. A claim is proved again only when something that it depends on has changed."""
 import re
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
 
-from assignment import dataclass_from, read_toml
+from assignment import Assignment, dataclass_from, read_toml
 from build import Kit, hash_of
 from errors import BadInput, Disproved, progress, run_tool
-from grading import Grader, Judge
+from grading import Graded, Grader, Judge
+from sandbox import Sandbox
+from template import Divided
+
+if TYPE_CHECKING:
+    from course import Course
 
 IDS = [f"student{number}" for number in range(1, 21)]
 
@@ -18,10 +26,10 @@ class Wrong:
     id: str
     description: str
     points: float
-    change: list  # tables with file, before, after
+    change: list[dict[str, str]]  # tables with file, before, after
 
 
-def read_wrong_solutions(file, solution):
+def read_wrong_solutions(file: Path, solution: dict[str, bytes]) -> list[tuple[Wrong, dict[str, bytes]]]:
     """Reads the wrong solutions. Returns pairs of Wrong and the files of the solution with this mistake."""
     found = []
     for entry in read_toml(file).get("wrong", []):
@@ -40,7 +48,7 @@ def read_wrong_solutions(file, solution):
     return found
 
 
-def with_points(text, points):
+def with_points(text: str, points: dict[str, float]) -> str:
     """Replaces the points in the text of the list by these, {id: points}. Everything else stays as it is."""
     parts = re.split(r"(?m)^(id = \"(.+)\"\n(?:.*\n)*?points = )([\d.]+)", text)
     for i in range(1, len(parts), 4):
@@ -52,7 +60,7 @@ def with_points(text, points):
 class Proof:
     """Proves the claims about the handout of a Course, and prints each claim that holds."""
 
-    def __init__(self, course, judge, sandbox_class, jobs):
+    def __init__(self, course: "Course", judge: Judge, sandbox_class: type[Sandbox], jobs: int) -> None:
         self.course, self.assignment, self.handout = course, course.assignment, course.handout
         self.judge, self.sandbox_class, self.jobs = judge, sandbox_class, jobs
         self.files = [exercise.file for exercise in self.assignment.exercise]
@@ -61,12 +69,12 @@ class Proof:
         self.kit = Kit.built(course.work / "kit", self.handout, jobs)
         sandbox_class(self.kit.folder, self.assignment.limits).require()
 
-    def grade(self, files, student="", judge=None):
+    def grade(self, files: dict[str, bytes], student: str = "", judge: Judge | None = None) -> Graded:
         # Each thread needs a separate sandbox, because a sandbox remembers the user of its latest job.
         sandbox = self.sandbox_class(self.kit.folder, self.assignment.limits)
         return Grader(self.assignment, self.kit, sandbox, judge or self.judge, self.store).grade(files, student)
 
-    def sheet(self, inputs, typeset):
+    def sheet(self, inputs: dict[str, str], typeset: Callable[[dict[str, str]], bytes]) -> bytes:
         """Returns the sheet as a PDF. Typesets it only if one of its inputs has changed."""
         path = self.store / f"{hash_of('sheet', sorted(inputs.items()))}.pdf"
         if not path.exists():
@@ -74,7 +82,7 @@ class Proof:
             path.write_bytes(typeset(inputs))
         return path.read_bytes()
 
-    def prove(self, secrets, sheet, update):
+    def prove(self, secrets: dict[str, str], sheet: dict[str, str], update: bool) -> None:
         """Proves the five claims in order. Raises Disproved for the first one that does not hold."""
         solution = {name: self.course.project[name].solution.encode() for name in self.files}
         wrong_solutions = read_wrong_solutions(self.course.folder / "wrong_solutions.toml", solution)
@@ -98,7 +106,7 @@ class Proof:
             raise Disproved("the handout contains secrets:\n" + "\n".join(found))
         print("5. no file contains a secret", flush=True)
 
-    def builds(self):
+    def builds(self) -> None:
         if "warning" in self.kit.log.lower():
             raise Disproved(f"the handout builds with warnings:\n{self.kit.log.strip()}")
         listed = run_tool(["ctest", "--test-dir", "build", "--show-only"], self.kit.folder)
@@ -106,7 +114,7 @@ class Proof:
             if check.is_public and not re.search(rf": {re.escape(check.id)}$", listed, re.MULTILINE):
                 raise Disproved(f"ctest of the handout does not list the public check '{check.id}'")
 
-    def solution_scores_all(self, solution):
+    def solution_scores_all(self, solution: dict[str, bytes]) -> None:
         students = ["", *IDS]
         self.grade(solution)  # compiles the solution once, before the threads need it
         with ThreadPoolExecutor(self.jobs) as pool:
@@ -118,7 +126,7 @@ class Proof:
                     raise Disproved(f"with the numbers of '{student}' the solution scores {graded.points:g} points "
                                     f"{first_error(graded)}\n" + "\n".join(lost))
 
-    def wrong_solutions_score_as_listed(self, listed, update):
+    def wrong_solutions_score_as_listed(self, listed: list[tuple[Wrong, dict[str, bytes]]], update: bool) -> None:
         file = self.course.folder / "wrong_solutions.toml"
         nominal = Judge(self.judge.program)  # without the salt, so that the listed points are the same for every salt
         points = {}
@@ -138,11 +146,12 @@ class Proof:
             raise Disproved(f"{file}: " + "; ".join(differ) + ". If these points are correct, \"prove --update\" writes them")
 
 
-def first_error(graded):
+def first_error(graded: Graded) -> str:
     return "; ".join(f"({file}: {message.splitlines()[0]})" for file, message in graded.errors.items())
 
 
-def secrets_of(assignment, project, hidden_sources, public_sources):
+def secrets_of(assignment: Assignment, project: dict[str, Divided], hidden_sources: list[Path],
+               public_sources: list[Path]) -> dict[str, str]:
     """Returns {secret: its origin}. Secret are the lines of the solution, and the lines, ids and file names of hidden checks,
     except lines that public checks contain as well."""
     public = squeezed(" ".join(path.read_text(encoding="utf-8") for path in public_sources))
@@ -158,15 +167,15 @@ def secrets_of(assignment, project, hidden_sources, public_sources):
     return secrets
 
 
-def is_specific(line):
+def is_specific(line: str) -> bool:
     return len(line) >= 20 and not line.startswith(("#", "//", "namespace ", "using "))
 
 
-def squeezed(text):
+def squeezed(text: str) -> str:
     return " ".join(text.split())
 
 
-def leaks(files, secrets):
+def leaks(files: dict[str, str], secrets: dict[str, str]) -> list[str]:
     """Lists the secrets that the files, {name: text}, or their names contain. Ignores differences in white space."""
     found = []
     for name, text in files.items():

@@ -14,7 +14,9 @@ import tempfile
 import threading
 import time
 from itertools import count
+from pathlib import Path
 
+from assignment import Limits
 from errors import ToolFailure
 
 # systemd reserves these user ids for services without a permanent user, so they own no files and nobody logs in with them.
@@ -27,30 +29,32 @@ class Sandbox:
     """Runs jobs, each in its own folder. Jobs find the kit at `self.kit`."""
 
     users = count(16 * os.getpid())
+    clock: int
+    hint: str
 
-    def __init__(self, kit, limits):
+    def __init__(self, kit: Path, limits: Limits) -> None:
         self.outside_kit = str(kit)
         self.kit = self.outside_kit
         self.limits = limits
-        self.user = None  # of the latest job
+        self.user: int  # of the latest job
 
-    def command(self, words, work, seconds, writable=False):
+    def command(self, words: list[str], work: str | Path, seconds: int, writable: bool = False) -> list[str]:
         """Returns the command that runs `words` in the folder `work`, with this limit of processor time for each process."""
         raise NotImplementedError
 
-    def clean(self):
+    def clean(self) -> None:
         """Kills processes that the latest job has left behind."""
 
-    def limited(self, words, seconds):
+    def limited(self, words: list[str], seconds: int) -> list[str]:
         return ["prlimit", f"--cpu={seconds}:{seconds + 1}", f"--as={self.limits.memory_mb << 20}",
                 f"--nproc={self.limits.processes}", f"--fsize={MAX_FILE_MB << 20}", "--core=0", "--nofile=256", "--", *words]
 
-    def as_nobody(self, words):
+    def as_nobody(self, words: list[str]) -> list[str]:
         """Runs `words` as a user of no other job. The kernel counts processes per user, and does not limit those of root."""
         self.user = FIRST_USER + next(Sandbox.users) % USERS
         return without_privileges(self.user, words)
 
-    def run(self, words, work, seconds, clock):
+    def run(self, words: list[str], work: str | Path, seconds: int, clock: float) -> tuple[int, str]:
         """Runs a job that may write to its folder. Returns its exit code, or minus its signal, and the beginning of its output."""
         begin = time.monotonic()
         with tempfile.TemporaryFile() as output:
@@ -68,7 +72,7 @@ class Sandbox:
             raise ToolFailure(f"a job did not end within {clock} s; is the machine too busy?")
         return process.returncode, text
 
-    def require(self):
+    def require(self) -> None:
         """Raises ToolFailure unless the sandbox works on this machine."""
         with tempfile.TemporaryDirectory(prefix="course-") as work:
             os.chmod(work, 0o755)
@@ -78,7 +82,7 @@ class Sandbox:
             raise ToolFailure(f"the sandbox does not work here ({reason}). {self.hint}")
 
 
-def without_privileges(user, words):
+def without_privileges(user: int, words: list[str]) -> list[str]:
     return ["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups", "--no-new-privs", "--bounding-set=-all",
             "--inh-caps=-all", "--", *words]
 
@@ -88,13 +92,13 @@ class Bubblewrap(Sandbox):
     hint = ("Grade in a container: podman build -t course --build-arg TARGETS=course . && podman run --rm --network none "
             "-v \"$PWD:/halfspace\" course make course DO=grade SUBMISSIONS=folder SANDBOX=user")
 
-    def __init__(self, kit, limits):
+    def __init__(self, kit: Path, limits: Limits) -> None:
         super().__init__(kit, limits)
         self.kit = "/kit"
         if not shutil.which("bwrap"):
             raise ToolFailure("bubblewrap is not installed; run \"make setup course\"")
 
-    def command(self, words, work, seconds, writable=False):
+    def command(self, words: list[str], work: str | Path, seconds: int, writable: bool = False) -> list[str]:
         inner, unshared = self.limited(words, seconds), ["--unshare-user"]
         if os.geteuid() == 0:
             inner, unshared = self.as_nobody(inner), []
@@ -110,12 +114,12 @@ class User(Sandbox):
     clock = 60
     hint = "This sandbox is for root in a container that contains nothing else."
 
-    def command(self, words, work, seconds, writable=False):
+    def command(self, words: list[str], work: str | Path, seconds: int, writable: bool = False) -> list[str]:
         inner = ["env", "-i", f"--chdir={work}", "PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", *self.limited(words, seconds)]
         return self.as_nobody(inner)
 
-    def clean(self):
+    def clean(self) -> None:
         subprocess.run(without_privileges(self.user, ["sh", "-c", "kill -KILL -1"]), stderr=subprocess.DEVNULL, check=False)
 
 
-SANDBOXES = {"bubblewrap": Bubblewrap, "user": User}
+SANDBOXES: dict[str, type[Sandbox]] = {"bubblewrap": Bubblewrap, "user": User}

@@ -3,18 +3,20 @@
 import tempfile
 from pathlib import Path
 
+from assignment import Assignment
 from build import write
 from errors import run_tool
+from grading import Judge
 
 REPRODUCIBLE = {"SOURCE_DATE_EPOCH": "946684800", "FORCE_SOURCE_DATE": "1", "TZ": "UTC", "LC_ALL": "C"}
 UNITS = {"Pa": [(1e9, "GPa"), (1e6, "MPa")], "m": [(1e-3, "mm"), (1e-6, "\\textmu m")], "N/m": [(1e3, "kN/m")]}
 
 
-def escaped(text):
+def escaped(text: str) -> str:
     return "".join("\\" + c if c in "&%$#_{}" else c for c in str(text))
 
 
-def quantity(number, unit):
+def quantity(number: str, unit: str) -> str:
     """Prints a quantity, if possible with a unit prefix that makes the number at least 1 and less than 1000: 207 GPa."""
     for factor, name in UNITS.get(unit, []):
         if 1 <= float(number) / factor < 1000:
@@ -22,13 +24,13 @@ def quantity(number, unit):
     return f"{float(number):.6g}" + (f"\\,{unit}" if unit else "")
 
 
-def tabular(columns, head, rows):
+def tabular(columns: str, head: list[str], rows: list[list[str]]) -> str:
     lines = [" & ".join(row) + r" \\" for row in rows]
     return "\n".join([rf"\begin{{tabular}}{{{columns}}}\toprule", " & ".join(head) + r" \\\midrule", *lines,
                       r"\bottomrule\end{tabular}", ""])
 
 
-def inputs(assignment, judge, folder):
+def inputs(assignment: Assignment, judge: Judge, folder: Path) -> dict[str, str]:
     """Returns the files of the sheet, {name: text}: those in the folder of the assignment, and the tables and values."""
     values = {"title": escaped(assignment.title), "due": escaped(assignment.due), "points": f"{assignment.points:g}"}
     values |= {f"limit.{name}": str(number) for name, number in vars(assignment.limits).items()}
@@ -50,7 +52,7 @@ def inputs(assignment, judge, folder):
     return files
 
 
-def typeset(inputs):
+def typeset(inputs: dict[str, str]) -> bytes:
     """Typesets the sheet from its inputs, after gnuplot has drawn its figures. Returns the PDF."""
     with tempfile.TemporaryDirectory(prefix="course-") as work:
         write(inputs, work)

@@ -10,9 +10,13 @@ import re
 import stat
 import zipfile
 import zlib
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path, PurePosixPath
+from typing import IO
 
+from assignment import Assignment
 from errors import BadInput
 
 MAX_ZIP_KB = 50 << 10  # of one student's zip
@@ -27,9 +31,9 @@ CANVAS = re.compile(r"[^_]*(?:_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.+?)(?:-\d+)?(?P<
 class Member:
     """A file in a folder or a zip, not yet read."""
     path: PurePosixPath
-    open: object  # a function that returns a binary stream; None for a link or a special file
+    open: Callable[[], IO[bytes]] | None  # None for a link or a special file
 
-    def read(self, max_kb):
+    def read(self, max_kb: int) -> bytes:
         if self.open is None:
             raise BadInput(f"{self.path} is a link or a special file")
         try:
@@ -46,10 +50,10 @@ class Member:
 @dataclass
 class Submission:
     id: str
-    members: list = field(default_factory=list)
+    members: list[Member] = field(default_factory=list)
     problem: str = ""
 
-    def read_files(self, assignment):
+    def read_files(self, assignment: Assignment) -> dict[str, bytes]:
         """Reads the files of the exercises, {name: bytes}. Raises BadInput if there are none, or if one occurs twice."""
         if self.problem:
             raise BadInput(self.problem)
@@ -71,7 +75,7 @@ class Submission:
         return files
 
 
-def folder_members(folder):
+def folder_members(folder: Path) -> list[Member]:
     """Lists the files of a folder. Only regular files can be opened."""
     members = []
     for root, folders, names in os.walk(folder):
@@ -82,11 +86,11 @@ def folder_members(folder):
     return without_junk(members)
 
 
-def open_plain(file):
+def open_plain(file: Path) -> Callable[[], IO[bytes]]:
     return lambda: open(os.open(file, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK), "rb")
 
 
-def zip_members(source):
+def zip_members(source: Path | IO[bytes]) -> list[Member]:
     """Lists the files of a zip. Raises BadInput if the zip is damaged."""
     try:
         packed = zipfile.ZipFile(source)
@@ -97,23 +101,24 @@ def zip_members(source):
         if not info.is_dir():
             path = PurePosixPath(info.filename.replace("\\", "/"))
             is_link = stat.S_ISLNK(info.external_attr >> 16)
-            members.append(Member(path, None if is_link else lambda info=info: packed.open(info)))
+            members.append(Member(path, None if is_link else partial(packed.open, info)))
     return without_junk(members)
 
 
-def without_junk(members):
+def without_junk(members: list[Member]) -> list[Member]:
     """Leaves out hidden files, the files that macOS adds to zips, and text typed into Moodle."""
     junk = re.compile(r"\.[^.].*|__MACOSX|.*_assignsubmission_onlinetext.*")
     return [member for member in members if not any(junk.fullmatch(part) for part in member.path.parts)]
 
 
-def submissions_in(source):
+def submissions_in(source: Path) -> list[Submission]:
     """Finds the submissions in a folder or in the zip of a class, sorted by id."""
     try:
         members = folder_members(source) if source.is_dir() else zip_members(source)
     except BadInput as error:
         raise BadInput(f"{source}: {error}") from None
-    found, entries = {}, {}
+    found: dict[str, Submission] = {}
+    entries: dict[str, str] = {}
     for member in sorted(members, key=lambda member: member.path):
         entry, *inner = member.path.parts
         id, own = id_and_own_name(entry)
@@ -124,9 +129,9 @@ def submissions_in(source):
         elif not ID.fullmatch(id):
             submission.problem = "its name is not an id: ids begin with a letter or digit and contain letters, digits, spaces and _.@+-"
         submission.members.append(Member(PurePosixPath(own or "", *inner) if own or inner else PurePosixPath(entry), member.open))
-    for entry in source.iterdir() if source.is_dir() else []:
-        if entry.is_dir() and not entry.name.startswith("."):
-            id = id_and_own_name(entry.name)[0]
+    for folder in source.iterdir() if source.is_dir() else []:
+        if folder.is_dir() and not folder.name.startswith("."):
+            id = id_and_own_name(folder.name)[0]
             found.setdefault(id, Submission(id))  # includes empty folders
     if not found:
         raise BadInput(f"{source}: this folder or zip contains no submissions")
@@ -135,7 +140,7 @@ def submissions_in(source):
     return [found[id] for id in sorted(found)]
 
 
-def id_and_own_name(entry):
+def id_and_own_name(entry: str) -> tuple[str, str | None]:
     """Returns the student's id from the name of an entry, and the student's own file name if Moodle or Canvas made the name."""
     if moodle := MOODLE.fullmatch(entry):
         return moodle["id"], moodle["rest"]

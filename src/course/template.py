@@ -11,7 +11,10 @@ A marker is a comment on a separate line (//, #, % or <!-- -->):
 """
 import re
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
 
+from assignment import Assignment
 from errors import BadInput
 
 MARKER = re.compile(r"(?P<indent>\s*)(?P<sign>//|#|%|<!--) ?(?P<words>BEGIN SOLUTION|END SOLUTION|STUB:|EACH [A-Z ]+:) ?"
@@ -24,10 +27,10 @@ class Divided:
     """A file of the template: its text in the handout and in the solution."""
     handout: str = ""
     solution: str = ""
-    secrets: list = field(default_factory=list)  # the lines of the solution, (line number, text)
+    secrets: list[tuple[int, str]] = field(default_factory=list)  # the lines of the solution, (line number, text)
 
 
-def divide(text, name, lists):
+def divide(text: str, name: str | Path, lists: dict[str, list[dict[str, Any]]]) -> Divided:
     """Divides a file at its markers. `lists` contains the words for EACH lines: {"EXERCISE": [{"id": …}, …]}."""
     result = Divided()
     begin_line = None
@@ -54,7 +57,7 @@ def divide(text, name, lists):
             result.handout += f"{indent}{rest}\n"
         else:
             for entry in lists.get(words[5:-1], []):
-                expanded = indent + re.sub(r"@(\w+)@", lambda word: str(entry[word[1]]), rest) + "\n"
+                expanded = indent + re.compile(r"@(\w+)@").sub(lambda word: str(entry[word[1]]), rest) + "\n"
                 result.handout += expanded
                 result.solution += expanded
     if begin_line:
@@ -62,12 +65,12 @@ def divide(text, name, lists):
     return result
 
 
-def project(assignment, folder, sources):
+def project(assignment: Assignment, folder: Path, sources: Path) -> dict[str, Divided]:
     """Makes the students' project, {name: Divided}: the files of the template and copies of the provided files."""
     exercises = [{"id": exercise.id, "file": exercise.file, "number": number, "title": exercise.title,
                   "points": f"{exercise.points:g}"} for number, exercise in enumerate(assignment.exercise, 1)]
-    lists = {"EXERCISE": exercises,
-             "PUBLIC CHECK": [{"check": check.id} for check in assignment.checks if check.is_public]}
+    lists: dict[str, list[dict[str, Any]]] = {
+        "EXERCISE": exercises, "PUBLIC CHECK": [{"check": check.id} for check in assignment.checks if check.is_public]}
     files = {}
     for path in sorted((folder / "template").rglob("*")):
         if path.is_file():

@@ -31,7 +31,7 @@ class Error(ValueError):
     """An error in the case, or in what a script registers. run() prints it on one line, with the line of the script."""
 
 
-class Case(dict):
+class Case(dict[str, Any]):
     """The parameters. A missing key is an Error, which names the nearest one. A script that takes each key with pop() can
     refuse the remaining ones."""
 
@@ -173,7 +173,7 @@ class Document:
 
     def check(self, key: str, statement: str, *, passed: Any = None, criteria: Sequence[Json] = ()) -> None:
         """Registers a condition for trusting the numbers: a fact (`passed`) or criteria. The statement is LaTeX."""
-        judged = {"criteria": list(criteria)} if criteria else {"passed": bool(passed)}
+        judged: Json = {"criteria": list(criteria)} if criteria else {"passed": bool(passed)}
         self._add("checks", key, {"statement": statement, **judged})
 
     def claim(self, key: str, *, route: str, criteria: Sequence[Json], expected: str = "holds") -> None:

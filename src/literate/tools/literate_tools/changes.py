@@ -13,10 +13,10 @@ examples:
 import csv
 import io
 import shutil
-import subprocess
 from dataclasses import astuple, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from literate_tools.common import Failure, git, parser, quiet_run, write_bytes
 from literate_tools.settings import Settings, configure, read_results, read_settings
@@ -64,7 +64,7 @@ def results_of_commit(settings: Settings, since: str) -> Path:
     kept = settings.output / "earlier" / commit[:12]
     if (kept / "results.json").exists():
         return kept
-    root = Path(git(settings.source, "rev-parse", "--show-toplevel"))
+    root = Path(git(settings.source, "rev-parse", "--show-toplevel") or settings.source)
     with TemporaryDirectory(prefix="literate-") as folder:
         clone, build, output = Path(folder, "source"), Path(folder, "build"), Path(folder, "output")
         quiet_run(["git", "clone", "--quiet", "--shared", "--no-checkout", str(root), str(clone)], "git clone")
@@ -81,7 +81,7 @@ def results_of_commit(settings: Settings, since: str) -> Path:
     return kept
 
 
-def compare(old: dict, new: dict) -> list[Change]:
+def compare(old: dict[str, Any], new: dict[str, Any]) -> list[Change]:
     """Returns the differences between two results."""
     changes = []
     for part in ("values", "flags", "tables", "figures", "checks", "claims"):
@@ -94,7 +94,7 @@ def compare(old: dict, new: dict) -> list[Change]:
     return changes
 
 
-def brief(entry: dict | None) -> str:
+def brief(entry: dict[str, Any] | None) -> str:
     """Returns the printed form of an entry, or a few words about it."""
     if entry is None:
         return ""
@@ -104,12 +104,12 @@ def brief(entry: dict | None) -> str:
     return f"{len(entry['rows'])} rows" if "rows" in entry else "drawn"
 
 
-def error(number: dict) -> float:
+def error(number: dict[str, Any]) -> float:
     """Returns the total error of a number: its bound plus two standard uncertainties."""
-    return number.get("bound", 0) + 2 * number.get("standard", 0)
+    return float(number.get("bound", 0) + 2 * number.get("standard", 0))
 
 
-def moved(before: dict, after: dict) -> str:
+def moved(before: dict[str, Any], after: dict[str, Any]) -> str:
     """Returns 'beyond' or 'within' for two numbers that differ, 'changed' for texts and units, and '' for equal ones."""
     if "number" not in before or "number" not in after or before.get("unit") != after.get("unit"):
         keys = ("number", "unit", "text", "latex")
@@ -120,13 +120,13 @@ def moved(before: dict, after: dict) -> str:
     return "within" if difference > 0 or before.get("printed") != after.get("printed") else ""
 
 
-def compare_value(part: str, name: str, before: dict, after: dict) -> list[Change]:
+def compare_value(part: str, name: str, before: dict[str, Any], after: dict[str, Any]) -> list[Change]:
     """Compares two values."""
     change = moved(before, after)
     return [Change(change, part, name, before["printed"], after["printed"])] if change else []
 
 
-def compare_verdict(part: str, name: str, before: dict, after: dict) -> list[Change]:
+def compare_verdict(part: str, name: str, before: dict[str, Any], after: dict[str, Any]) -> list[Change]:
     """Compares two flags, checks or claims, and the limits of their criteria."""
     key = {"flags": "value", "checks": "passed", "claims": "verdict"}[part]
     changes = [Change("verdict", part, name, str(before[key]), str(after[key]))] if before[key] != after[key] else []
@@ -138,7 +138,7 @@ def compare_verdict(part: str, name: str, before: dict, after: dict) -> list[Cha
     return changes
 
 
-def compare_table(part: str, name: str, before: dict, after: dict) -> list[Change]:
+def compare_table(part: str, name: str, before: dict[str, Any], after: dict[str, Any]) -> list[Change]:
     """Compares two tables, cell by cell if they have the same shape."""
     headings = [[column["heading"] for column in table["columns"]] for table in (before, after)]
     if len(before["rows"]) != len(after["rows"]) or headings[0] != headings[1]:
@@ -154,7 +154,7 @@ def compare_table(part: str, name: str, before: dict, after: dict) -> list[Chang
     return changes
 
 
-def compare_figure(part: str, name: str, before: dict, after: dict) -> list[Change]:
+def compare_figure(part: str, name: str, before: dict[str, Any], after: dict[str, Any]) -> list[Change]:
     """Compares the sizes, numbers, texts and columns of two figures, which have no errors."""
     keys = [key for key in ("width_cm", "height_cm", "numbers", "texts", "data") if before[key] != after[key]]
     return [Change("changed", part, f"{name}: {key}", str(before[key]), str(after[key])) for key in keys]

@@ -10,6 +10,7 @@ examples:
 
 import re
 from pathlib import Path
+from typing import Any
 
 from literate_tools import latex_log
 from literate_tools.common import Failure, nearest, parser
@@ -47,20 +48,20 @@ def typed(settings: Settings, texts: dict[Path, str]) -> list[str]:
             f"'{sign} constant: reason' if it is not a result" for path, sign, line, number in found]
 
 
-def unknown(settings: Settings, results: dict, texts: dict[Path, str]) -> list[str]:
+def unknown(settings: Settings, results: dict[str, Any], texts: dict[Path, str]) -> list[str]:
     """Returns the names that the program does not register. LaTeX does not see those in branches that are not taken."""
     found = [(path, line, NAMED[command], name) for path, text in texts.items() for command, name, line in names_in(text)]
     return [f"{settings.shown(path)}:{line}: unknown {SINGULAR[part]} '{name}'{nearest(name, list(results[part]))}"
             for path, line, part, name in found if name not in results[part] and "#" not in name]
 
 
-def idle_scripts(settings: Settings, results: dict) -> list[str]:
+def idle_scripts(settings: Settings, results: dict[str, Any]) -> list[str]:
     """Returns the scripts whose figure the program does not register."""
     return [f"{settings.shown(script)}: unknown figure '{script.stem}'{nearest(script.stem, list(results['figures']))}"
             for script in settings.scripts if script.stem not in results["figures"]]
 
 
-def unused(results: dict, texts: dict[Path, str], uses: list[Use]) -> list[str]:
+def unused(results: dict[str, Any], texts: dict[Path, str], uses: list[Use]) -> list[str]:
     """Returns the registered names that nothing prints, and the claims without a sentence."""
     used = {(NAMED[use.kind], use.name) for use in uses if use.kind in NAMED and use.kind != "statement"}
     stated = {use.name for use in uses if use.kind == "statement"}

@@ -72,7 +72,7 @@ def call(command: list[str], settings: Settings) -> int:
         raise Failure(f"{command[0]}: this is not a program that can be run", 3) from None
 
 
-def wait(running: subprocess.Popen, is_script: bool) -> int:
+def wait(running: subprocess.Popen[bytes], is_script: bool) -> int:
     """Waits for a command and returns its exit code. For a script, a terminal shows the elapsed seconds."""
     seconds = 0
     while True:

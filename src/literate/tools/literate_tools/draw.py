@@ -47,7 +47,7 @@ def draw(settings: Settings, script: Path, generated: Path) -> None:
 
 def with_places(printed: str, settings: Settings) -> str:
     """Writes gnuplot's «"/home/…/period.gp" line 4: …» as figures/period.gp:4: …, without its empty lines."""
-    def place(match: re.Match) -> str:
+    def place(match: re.Match[str]) -> str:
         return f"{settings.shown(Path(match[1]))}:{match[2]}: "
     lines = [line for line in printed.splitlines() if line.strip()]
     return "".join(re.sub(r'^\s*"([^"]*)",? line (\d+): ', place, line) + "\n" for line in lines)

@@ -5,6 +5,7 @@ import os
 import re
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from literate_tools.common import nearest
 from literate_tools.settings import Settings, read_results
@@ -33,14 +34,14 @@ def log_of(settings: Settings) -> str:
 
 def errors(settings: Settings) -> list[Error]:
     """Returns the distinct errors in the log, in order."""
-    found = {}
+    found: dict[Error, None] = {}
     lines = log_of(settings).splitlines()
     for number, line in enumerate(lines):
         placed = re.match(r"(.+?):(\d+): (?! *==>|Emergency)(.*)", line)
         bare = re.match(r"! (?! *==>|Emergency)(.*)", line)
-        if not placed and not bare:
+        if not (match := placed or bare):
             continue
-        message = (placed[3] if placed else bare[1]).removeprefix("Package literate Error: ").removesuffix(".")
+        message = match.groups()[-1].removeprefix("Package literate Error: ").removesuffix(".")
         if bare:  # for a missing file LaTeX prints the place only when it stops
             placed = next(filter(None, (re.match(r"(.+?):(\d+): Emergency stop", later) for later in lines[number:])), None)
         file = Path(os.path.realpath(settings.document / placed[1])) if placed else None
@@ -69,7 +70,7 @@ def report(settings: Settings, all_errors: list[Error]) -> list[str]:
     return lines[:MOST_ERRORS] + ([f"and {more} more errors, which may follow from these"] if more > 0 else [])
 
 
-def place(settings: Settings, results: dict, error: Error) -> str:
+def place(settings: Settings, results: dict[str, Any], error: Error) -> str:
     """Returns where to fix an error: a line of the prose, or the line of code that registered the printed entry."""
     if error.file is None:
         return f"{settings.shown(settings.document / settings.main)}: "
@@ -85,10 +86,10 @@ def place(settings: Settings, results: dict, error: Error) -> str:
     keys = (re.match(r"\\Literate(?:Value|Rounded|Entry)\{([^}]*)\}", line) for line in reversed(lines))
     key = next(filter(None, keys), None)
     found = key and (results["values"].get(key[1]) or results["claims"].get(key[1]))
-    return f"{found['place']}: '{key[1]}': " if found else f"{settings.shown(error.file)}:{error.line}: "
+    return f"{found['place']}: '{key[1]}': " if key and found else f"{settings.shown(error.file)}:{error.line}: "
 
 
-def suggestion(results: dict, message: str) -> str:
+def suggestion(results: dict[str, Any], message: str) -> str:
     """Returns the nearest known name for a message «unknown value 'x'»."""
     found = re.fullmatch(r"unknown (\w+) '(.*)'", message)
     return nearest(found[2], list(results[PARTS[found[1]]])) if found and found[1] in PARTS else ""
@@ -111,7 +112,8 @@ def first_command(settings: Settings) -> str:
 
 def warnings(settings: Settings) -> list[str]:
     """Returns the last run's warnings about visible defects: «??», repeated labels, missing characters, wide lines."""
-    file, found, outer = settings.main, {}, []
+    file, outer = settings.main, []
+    found: dict[str, None] = {}
     for line in log_of(settings).splitlines():
         if line.startswith("literate: reading "):
             outer.append(file)

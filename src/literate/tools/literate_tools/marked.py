@@ -40,6 +40,8 @@ def write_marked_pdf(settings: Settings, since: str, earlier: Path) -> None:
 def prose_of_commit(settings: Settings, since: str, folder: Path) -> None:
     """Writes the document's folder of a commit."""
     root, below = git(settings.document, "rev-parse", "--show-toplevel"), git(settings.document, "rev-parse", "--show-prefix")
+    if root is None or below is None:
+        raise Failure(f"{settings.document}: this folder is not in a git repository")
     archive = subprocess.run(["git", "archive", f"{since}:{below.rstrip('/')}"], cwd=root, capture_output=True)
     if archive.returncode:
         raise Failure(f"{since} has no folder {below}: {archive.stderr.decode(errors='replace').strip()}")
@@ -71,13 +73,13 @@ def expand(text: str, values: dict[str, str], flags: dict[str, bool]) -> str:
     """Returns a text with each \\val replaced by its value and each \\ifflag by the branch that is taken."""
     text = without_comments(text)
     while match := re.search(r"\\ifflag\s*\{([^{}]*)\}", text):
-        _, yes, no, end = *braced(text[match.end():], 2), 0
+        _, yes, no = braced(text[match.end():], 2)
         taken = yes if flags.get(match[1]) else no
         length = text.index("{", match.end())
         length = closing(text, text.index("{", closing(text, length)))
         text = text[:match.start()] + taken + text[length:]
 
-    def value(match: re.Match) -> str:
+    def value(match: re.Match[str]) -> str:
         printed = values.get(f"{match[2]}[{match[1]}]" if match[1] else match[2], values.get(match[2]))
         return match[0] if printed is None else rf"\LiteratePrinted{{{printed}}}"
     return re.sub(r"\\val\s*(?:\[(\d+)\])?\s*\{([^{}]*)\}", value, text)

@@ -6,6 +6,7 @@ without a unit in displayed formulas, years, places in cited sources, and lines 
 """
 
 import re
+from collections.abc import Iterator
 
 from literate_tools.uses import without_comments
 
@@ -89,7 +90,7 @@ def typed_numbers(text: str) -> list[tuple[int, str]]:
     return found
 
 
-def numerals(prose: str):
+def numerals(prose: str) -> Iterator[tuple[int, int, str, bool]]:
     """Yields the begin, end and text of each number, and whether it has more than MOST_DIGITS significant digits."""
     at = 0
     while match := NUMERAL.search(prose, at):
@@ -149,7 +150,7 @@ def readable(text: str) -> str:
     return re.sub(r"(?<=\\\\)\[[^\]]*\]", blank, text)
 
 
-def end_of_arguments(text: str, command: re.Match) -> int:
+def end_of_arguments(text: str, command: re.Match[str]) -> int:
     """Returns the end of a HIDDEN command's arguments, including optional ones."""
     end = command.end()
     n_arguments = 99 if command[1] == "begin" else N_ARGUMENTS.get(command[1], 1)
@@ -164,7 +165,7 @@ def end_of_arguments(text: str, command: re.Match) -> int:
     return end
 
 
-def blank(match: re.Match) -> str:
+def blank(match: re.Match[str]) -> str:
     """Returns blanks for all characters of a match except line ends."""
     return re.sub(r"[^\n]", " ", match[0])
 

@@ -32,7 +32,7 @@ def read_uses(settings: Settings) -> list[Use]:
     lines = [line.split("\t") for line in path.read_text(errors="replace").splitlines()]
     lines = [fields for fields in lines if len(fields) == 4]
     statements = {name: (file, line) for kind, name, file, line in lines if kind == "statement"}
-    found = {}
+    found: dict[Use, None] = {}
     for kind, name, file, line in lines:
         if file == "statement":  # a sentence that the ledger prints
             file, line = statements.get(line, ("", "0"))
