@@ -13,7 +13,6 @@ examples:
 import csv
 import io
 import shutil
-import subprocess
 from dataclasses import astuple, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory

@@ -8,7 +8,6 @@ examples:
 
 import gzip
 import io
-import os
 import subprocess
 import tarfile
 from pathlib import Path

@@ -71,7 +71,7 @@ def expand(text: str, values: dict[str, str], flags: dict[str, bool]) -> str:
     """Returns a text with each \\val replaced by its value and each \\ifflag by the branch that is taken."""
     text = without_comments(text)
     while match := re.search(r"\\ifflag\s*\{([^{}]*)\}", text):
-        _, yes, no, end = *braced(text[match.end():], 2), 0
+        _, yes, no = braced(text[match.end():], 2)
         taken = yes if flags.get(match[1]) else no
         length = text.index("{", match.end())
         length = closing(text, text.index("{", closing(text, length)))

@@ -8,7 +8,6 @@ generated/ relative to the document, since TeX cannot search an absolute path th
 import hashlib
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 from literate_tools import latex_log
