@@ -14,13 +14,6 @@ inline boost::test_tools::assertion_result holds(std::string_view text, std::str
   return result;
 }
 
-/// Whether a text does not contain a part.
-inline boost::test_tools::assertion_result lacks(std::string_view text, std::string_view part) {
-  boost::test_tools::assertion_result result(text.find(part) == text.npos);
-  result.message() << "'" << part << "' in: " << text;
-  return result;
-}
-
 /// The message of the error of type `Error` that a call throws, or "(no error)".
 template <typename Error, typename Call>
 std::string message_of(Call&& call) {

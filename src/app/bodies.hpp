@@ -79,8 +79,8 @@ struct ChosenLoad {
   double jump_at(double x) const;
 };
 
-/// The shapes that a command knows, as a number of the first ones in the list: all but those from
-/// files and formulas and the concentrated force, all but the concentrated force, or all.
+/// How many of the shapes in bodies.cpp a command accepts, from the first on: those with a name and
+/// a width, also those from files and formulas, or also the concentrated force.
 enum Shapes : std::size_t { named = 3, of_finite_width = 5, any = 6 };
 
 /// The flags that describe a load.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two bodies pressed together along a line: `halfspace contact`, and for `halfspace stress`.
+// Two bodies pressed together along a line, for `halfspace contact` and `halfspace stress`.
 #pragma once
 
 #include <optional>

@@ -58,7 +58,7 @@ class Flag {
   std::string text_;
 };
 
-/// A flag whose value must be one of these names, which are its type in the help.
+/// A flag whose value must be one of these names. The help lists them as its type.
 class Choice : public Flag {
  public:
   Choice(CLI::App& command, const std::string& name, const std::vector<std::string>& choices,
@@ -98,8 +98,8 @@ std::optional<Member> of_case(const std::optional<Case>& from_case, Member Case:
   return from_case ? std::optional((*from_case).*member) : std::nullopt;
 }
 
-/// Measured profiles, loads and surfaces in CSV files. Empty lines and lines that begin with # are
-/// ignored. Both functions throw sys::InputError with the file and the position of the error.
+// Measured profiles, loads and surfaces in CSV files. Empty lines and lines that begin with # are
+// ignored. Both functions throw sys::InputError with the file and the position of the error.
 
 /// A function sampled at rising x.
 struct CurvePoints {

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/flags.hpp"
@@ -73,8 +72,8 @@ std::string text_of(const Result& result);
 /// A header and one line per row; numbers have the fewest digits that read back exactly.
 std::string csv_of(const Table& table);
 
-/// Quantities, closed forms, details, columns and units under their keys, or for a table alone an
-/// array of its rows; numbers as in csv_of.
+/// Quantities, closed forms, details, columns and units under their keys. A result with nothing but
+/// a table is an array of its rows. Numbers are those of csv_of.
 std::string json_of(const Result& result);
 
 /// Copies the numbers at the nodes, for a column.

@@ -8,7 +8,6 @@
 #include "app/bodies.hpp"
 #include "app/contact.hpp"
 #include "elasticity/stress.hpp"
-#include "system/error.hpp"
 
 namespace app {
 namespace {

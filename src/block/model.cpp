@@ -5,8 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "system/require.hpp"
-
 namespace block {
 
 Model::Model(Mesh mesh, const elasticity::Material& material)

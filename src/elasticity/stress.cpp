@@ -56,10 +56,6 @@ double Stress::von_mises(double nu) const {
   return std::hypot(std::numbers::sqrt3 * max_shear(), (1 - 2 * checked(nu)) * (xx + zz) / 2);
 }
 
-Stress operator+(Stress a, const Stress& b) {
-  return a += b;
-}
-
 Stress operator*(double factor, const Stress& stress) {
   return {factor * stress.xx, factor * stress.zz, factor * stress.xz};
 }

@@ -39,7 +39,6 @@ struct Stress {
   double von_mises(double nu) const;
 };
 
-Stress operator+(Stress a, const Stress& b);
 Stress operator*(double factor, const Stress& stress);
 
 /// The stress at (x, z) in the half-space z > 0 in plane strain, beneath a pressure given at nodes,

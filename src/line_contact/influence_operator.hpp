@@ -16,8 +16,6 @@ class InfluenceOperator {
  public:
   InfluenceOperator(Element element, Eigen::Index n);
 
-  Eigen::Index size() const { return n_; }
-
   /// Σ_j T(i−j) φ_j. The rounding error is that of the greatest term, about 1e-15 Σφ.
   void potentials(const Eigen::VectorXd& phi, Eigen::VectorXd& result);
 

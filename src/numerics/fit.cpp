@@ -111,8 +111,7 @@ PowerLaw fit_power(const std::vector<double>& n, const std::vector<double>& erro
     logarithms[i] = std::log(sys::require_positive("magnitude of an error", std::abs(errors[at])));
   }
   const Fit found = fit(matrix, logarithms);
-  const double factor = std::exp(found.coefficients[0]);
-  return {found.coefficients[1], found.standard(1), factor, factor * found.standard(0)};
+  return {found.coefficients[1], found.standard(1)};
 }
 
 }  // namespace numerics

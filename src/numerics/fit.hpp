@@ -38,12 +38,10 @@ Fit fit(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& observed);
 Fit fit(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& observed,
         const Eigen::VectorXd& standard);
 
-/// A power law C·n^−r.
+/// The order of a power law C·n^−r.
 struct PowerLaw {
-  double order;            ///< r
-  double order_standard;   ///< its standard uncertainty, from the scatter about the law
-  double factor;           ///< C, in the unit of the errors
-  double factor_standard;  ///< its standard uncertainty
+  double order;           ///< r
+  double order_standard;  ///< its standard uncertainty, from the scatter about the law
 };
 
 /// Fits |error| = C·n^−r by least squares on the logarithms, with equal weights. Throws

@@ -82,9 +82,7 @@ class ComplexFourier {
  public:
   explicit ComplexFourier(std::size_t size);
 
-  std::size_t size() const { return size_; }
-
-  /// The buffer holds size() numbers.
+  /// The buffer holds `size` numbers.
   void forward(const ComplexBuffer& buffer) const;
   void backward(const ComplexBuffer& buffer) const;
 

@@ -19,9 +19,6 @@ class KernelIntegrals {
  public:
   explicit KernelIntegrals(const PiecewiseFunction& density, double rel_tolerance = 1e-12);
 
-  /// p, cut into pieces that the quadrature rules resolve (numerics::resolved).
-  const PiecewiseFunction& density() const { return density_; }
-
   /// PV∫ p(s)/(x − s) ds, a Cauchy principal value where x lies under p.
   ///
   /// On each piece, the value c of p at the point nearest to x is split off; its integral is
@@ -55,7 +52,7 @@ class KernelIntegrals {
   };
   Estimate logarithmic_from(const Panel& panel, double x, double length) const;
 
-  PiecewiseFunction density_;
+  PiecewiseFunction density_;  // cut into pieces that the quadrature rules resolve
   double rel_tolerance_;
   mutable Quadrature quadrature_;
 };

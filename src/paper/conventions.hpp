@@ -3,7 +3,6 @@
 // parts of a case; limits and error bounds that several sections share.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>

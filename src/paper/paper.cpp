@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <future>
-#include <utility>
 
 #include "config/table.hpp"
 

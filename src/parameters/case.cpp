@@ -10,7 +10,6 @@
 #include "config/table.hpp"
 #include "line_contact/cylinders.hpp"
 #include "line_contact/problem.hpp"
-#include "system/require.hpp"
 
 namespace parameters {
 namespace {

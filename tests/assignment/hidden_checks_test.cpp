@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_uses_the_first_material_twice_is_wrong_for_o
   BOOST_TEST(found.at("contact-half-width") < 1);
 }
 
-// A program that knows the pressures up to a number, and mistakes the others for that one.
+// A program that handles the pressures up to a number, and takes all others for that one.
 Program knowing_pressures_up_to(double most) {
   return [=](const std::string& task, Numbers in) {
     if (task == "gradient_by_quadrature" || task == "displacement") in[2] = std::min(in[2], most);

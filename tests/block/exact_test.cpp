@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "block/paper_block.hpp"

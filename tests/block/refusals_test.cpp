@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <boost/test/unit_test.hpp>
-#include <cmath>
 #include <limits>
 
 #include "block/paper_block.hpp"

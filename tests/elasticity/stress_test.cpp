@@ -28,7 +28,8 @@ double largest(const Stress& s) {
   return std::max({std::abs(s.xx), std::abs(s.zz), std::abs(s.xz)});
 }
 double distance(const Stress& a, const Stress& b) {
-  return largest(a + -1 * b);
+  Stress difference = -1 * b;
+  return largest(difference += a);
 }
 
 // A line force P at the origin (Flamant; Johnson 2.23).

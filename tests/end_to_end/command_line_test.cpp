@@ -6,7 +6,6 @@
 #include <charconv>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "program.hpp"
 

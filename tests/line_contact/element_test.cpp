@@ -5,7 +5,6 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "multiprecision.hpp"

@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
-#include <cmath>
 #include <string>
 
 #include "line_contact/problem.hpp"

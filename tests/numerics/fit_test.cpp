@@ -91,7 +91,6 @@ BOOST_AUTO_TEST_CASE(a_power_law_is_recovered_with_its_scatter) {
   }
   const numerics::PowerLaw law = fit_power(n, errors);
   BOOST_TEST(std::abs(law.order - 1.75) < 2 * law.order_standard);
-  BOOST_TEST(std::abs(law.factor - 2.385) < 2 * law.factor_standard);
   BOOST_TEST(law.order_standard < 0.05);
 
   for (double& error : errors) error = std::pow(error, 0) * 3;

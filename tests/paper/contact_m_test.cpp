@@ -5,7 +5,6 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numeric>
-#include <vector>
 
 #include "contact/contact_search.hpp"
 #include "line_contact/cylinders.hpp"

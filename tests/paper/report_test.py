@@ -37,9 +37,9 @@ class InFolder(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = Path(holder.name)
 
-    def case(self, text: str, name: str = "mine.toml") -> Path:
+    def case(self, text: str) -> Path:
         """Writes a case and returns its file."""
-        file = self.folder / name
+        file = self.folder / "mine.toml"
         file.write_text(text)
         return file
 

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
-#include <vector>
 
 #include "assignment/exercises/influence_checks.hpp"
 #include "assignment/given/bodies.hpp"

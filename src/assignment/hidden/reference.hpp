@@ -37,7 +37,7 @@ struct Places {
   Numbers xi;
 };
 
-/// The number of a pressure that is in no handout, so that a program fails if it knows only the
+/// The number of a pressure that is in no handout, so that a program fails if it handles only the
 /// named shapes.
 inline double waves(const std::string& id) {
   return 4 + 12 * own_numbers(id).poisson2;

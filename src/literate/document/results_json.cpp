@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 namespace literate {
 namespace {

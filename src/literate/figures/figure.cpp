@@ -12,7 +12,6 @@
 #include <locale>
 #include <memory>
 #include <stdexcept>
-#include <string_view>
 
 #include "literate/text/latex.hpp"
 #include "literate/values/decimal.hpp"

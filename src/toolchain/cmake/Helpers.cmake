@@ -65,8 +65,8 @@ function(compile_without_optimising target)
 endfunction()
 
 # export_headers(target folder [header …]) lets targets that link this one include "folder/name.hpp": the headers named here, or
-# all headers in this folder of src and below. They cannot include headers of other folders, so the compiler enforces the architecture.
-# The exported folder contains links, so that each header stays next to its source.
+# all headers in this folder of src and below. They cannot include headers of other folders, so the compiler enforces the
+# architecture. The exported folder contains links, so that each header stays next to its source.
 function(export_headers target folder)
   set(exported "${PROJECT_BINARY_DIR}/include/${target}")
   set(source "${HALFSPACE_ROOT}/src/${folder}")
@@ -166,29 +166,12 @@ function(precompile_tests target computes)
   add_test_options(${target} "${computes}")
 endfunction()
 
-# add_test_program(target [COMPUTES] SOURCES file … LINK library … [DEFINE macro …]) adds a program of Boost tests.
-function(add_test_program target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "COMPUTES" "" "SOURCES;LINK;DEFINE")
-  add_executable(${target} ${arg_SOURCES})
-  target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main)
-  target_compile_definitions(${target} PRIVATE ${arg_DEFINE})
-  set(precompiled precompiled_tests)
-  set(computes "")
-  if(arg_COMPUTES)
-    set(precompiled precompiled_computing_tests)
-    set(computes COMPUTES)
-  endif()
-  target_link_libraries(${target} PRIVATE ${precompiled} project_warnings)
-  add_test_options(${target} "${computes}")
-  target_precompile_headers(${target} REUSE_FROM ${precompiled})
-endfunction()
-
-# add_unit_tests(folder [COMPUTES] LINK library … [DEFINE macro …] [SOURCES file …] NAMES name … [SLOW name seconds …]) adds the
-# tests of one folder. Each file tests/folder/name_test.cpp is one CTest test, unit/folder/name, which runs the suite name_test.
-# All files form one program, because each program takes three seconds to build; `make test` and the sanitizers run NAMES. Only
-# `make test-all` runs the tests in SLOW, as slow/folder/name; it starts the longest first.
+# add_unit_tests(folder [COMPUTES] LINK library … [DEFINE macro …] NAMES name … [SLOW name seconds …]) adds the tests of one
+# folder. Each file tests/folder/name_test.cpp is one CTest test, unit/folder/name, which runs the suite name_test. All files form
+# one program, because each program takes three seconds to build; `make test` and the sanitizers run NAMES. Only `make test-all`
+# runs the tests in SLOW, as slow/folder/name; it starts the longest first.
 function(add_unit_tests folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "COMPUTES" "" "LINK;DEFINE;SOURCES;NAMES;SLOW")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "COMPUTES" "" "LINK;DEFINE;NAMES;SLOW")
   set(sources ${arg_NAMES})
   foreach(name IN LISTS arg_NAMES)
     cmake_path(GET name FILENAME suite)
@@ -202,15 +185,22 @@ function(add_unit_tests folder)
     list(APPEND sources ${name})
   endwhile()
   list(TRANSFORM sources REPLACE "(.+)" "${HALFSPACE_ROOT}/tests/${folder}/\\1_test.cpp")
+  set(target ${folder}_tests)
+  set(precompiled precompiled_tests)
   set(computes "")
   if(arg_COMPUTES)
+    set(precompiled precompiled_computing_tests)
     set(computes COMPUTES)
   endif()
-  add_test_program(${folder}_tests ${computes} SOURCES ${sources} ${arg_SOURCES} LINK ${arg_LINK} DEFINE ${arg_DEFINE})
+  add_executable(${target} ${sources})
+  target_link_libraries(${target} PRIVATE ${arg_LINK} unit_test_main ${precompiled} project_warnings)
+  target_compile_definitions(${target} PRIVATE ${arg_DEFINE})
+  add_test_options(${target} "${computes}")
+  target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
-# add_script_test(test file [TARGET program] [COST seconds] [ARGS argument …]) adds a test that is a Python script. Its arguments are the
-# repository and then ARGS. Exit code 77 means skipped. The name of the test begins with its label.
+# add_script_test(test file [TARGET program] [COST seconds] [ARGS argument …]) adds a test that is a Python script. Its arguments
+# are the repository and then ARGS. Exit code 77 means skipped. The name of the test begins with its label.
 function(add_script_test test file)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "TARGET;COST;ARGS")
   add_test(NAME ${test} COMMAND python3 -B "${CMAKE_CURRENT_SOURCE_DIR}/${file}" "${HALFSPACE_ROOT}" ${arg_ARGS})

@@ -10,7 +10,7 @@ add_folder_library(errors NO_HEAVY_COMPUTING
   PRIVATE_LINK fmt::fmt)
 add_folder_library(system NO_HEAVY_COMPUTING
   SOURCES decimal.cpp files.cpp text.cpp
-  LINK errors Threads::Threads
+  LINK errors
   PRIVATE_LINK fmt::fmt)
 add_folder_library(config NO_HEAVY_COMPUTING
   SOURCES table.cpp units.cpp
@@ -66,7 +66,7 @@ add_folder_library(paper
     elements_section.cpp error_analysis_section.cpp formulation_section.cpp load.cpp load_fit.cpp paper.cpp
     printed_data.cpp quadrature_section.cpp results_section.cpp run.cpp spheres_section.cpp tangential_section.cpp
   LINK literate parameters point_contact
-  PRIVATE_LINK config system block line_contact elasticity fmt::fmt Eigen3::Eigen)
+  PRIVATE_LINK config block line_contact elasticity fmt::fmt Eigen3::Eigen Threads::Threads)
 
 # The program that computes the report. It is separate from `halfspace`, so that building the report does not compile the command
 # line of the mechanics.

@@ -2,7 +2,6 @@
 #include "literate/claims/criterion.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>

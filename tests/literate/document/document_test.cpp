@@ -2,7 +2,6 @@
 #include "literate/document/document.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <cmath>
 #include <string>
 #include <utility>
 

@@ -7,7 +7,6 @@
 
 #include "messages.hpp"
 #include "system/error.hpp"
-#include "system/files.hpp"
 #include "temporary_folder.hpp"
 
 using literate::Document;

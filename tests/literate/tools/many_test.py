@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from paper import ENGINE, PaperTest, rules_in
+from paper import ENGINE, PaperTest
 
 FAULTS = """# id | file | before | after | what is wrong
 limit | case.toml | limit = 10.0 | limit = 1.0 | the room is smaller

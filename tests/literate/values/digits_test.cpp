@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <boost/test/unit_test.hpp>
-#include <optional>
-#include <string>
 
 #include "csv_rows.hpp"
 #include "literate/values/value.hpp"

@@ -1,5 +1,3 @@
-#include <stdexcept>
-
 #include "assignment.hpp"
 #include "judge/answer_questions.hpp"
 
