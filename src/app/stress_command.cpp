@@ -128,6 +128,8 @@ Table table_of(const std::vector<Point>& points, const Pressed& pressed,
   add("max_shear", "in-plane", "max shear", [](const Stress& s) { return s.max_shear(); });
   add("largest_shear", "largest", "shear", [&](const Stress& s) { return s.largest_shear(nu); });
   add("von_mises", "von", "Mises", [&](const Stress& s) { return s.von_mises(nu); });
+  table.push_back(
+      {.key = "stress_yy", .numbers = column([&](const Point& p) { return p.stress.yy(nu); })});
   if (pressed.mcewen) {
     table.push_back(
         {.key = "mcewen_max_shear", .numbers = column([](const Point& p) { return p.mcewen; })});
