@@ -37,15 +37,17 @@ Pressed pressed_by_load(const StressOptions& options, const Given& given) {
   std::optional<parameters::HalfSpaceCase> from_case;
   if (given.file) from_case = given.file->half_space();
   const ContactFlags& contact = options.contact;
-  refuse_given({&contact.load, &contact.radius1, &contact.radius2, &contact.profile, &contact.nodes,
-                &contact.domain, &contact.method},
+  const auto& [_, both, body1, body2] = contact.materials;
+  refuse_given({&contact.load, &contact.datum, &contact.radius1, &contact.radius2, &body1.young,
+                &body1.poisson, &body2.young, &body2.poisson, &contact.profile, &contact.nodes,
+                &contact.domain, &contact.element, &contact.method, &contact.tolerance},
                options.load.name());
   const ChosenLoad load =
       options.load.read(of_case(from_case, &parameters::HalfSpaceCase::load), given.units);
   std::vector<std::string> assumed;
-  const Material material = material_of({&contact.materials.both},
-                                        of_case(from_case, &parameters::HalfSpaceCase::material),
-                                        given.units.stress, assumed);
+  const Material material =
+      material_of({&both}, of_case(from_case, &parameters::HalfSpaceCase::material),
+                  given.units.stress, assumed);
   const auto [least, greatest] = std::ranges::minmax(load.pressure);
   const auto stress = [load](double x, double z) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -127,6 +129,8 @@ Table table_of(const std::vector<Point>& points, const Pressed& pressed,
   add("max_shear", "in-plane", "max shear", [](const Stress& s) { return s.max_shear(); });
   add("largest_shear", "largest", "shear", [&](const Stress& s) { return s.largest_shear(nu); });
   add("von_mises", "von", "Mises", [&](const Stress& s) { return s.von_mises(nu); });
+  table.push_back(
+      {.key = "stress_yy", .numbers = column([&](const Point& p) { return p.stress.yy(nu); })});
   if (pressed.mcewen) {
     table.push_back(
         {.key = "mcewen_max_shear", .numbers = column([](const Point& p) { return p.mcewen; })});

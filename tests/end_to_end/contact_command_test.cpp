@@ -154,6 +154,8 @@ BOOST_AUTO_TEST_CASE(stresses_beneath_a_strip_match_johnson) {
   BOOST_TEST(relative_difference(of(axis, "stress_zz"), mean - half_difference) < 1e-14);
   BOOST_TEST(relative_difference(of(axis, "stress_xx"), mean + half_difference) < 1e-14);
   BOOST_TEST(relative_difference(of(axis, "largest_shear"), half_difference) < 1e-14);
+  // σ_yy = ν(σ_xx + σ_zz) with ν = 0.3 of the default steel.
+  BOOST_TEST(relative_difference(of(axis, "stress_yy"), 0.3 * 2 * mean) < 1e-14);
   const Words edge =
       words_of("stress --shape uniform --peak-pressure 100 --half-width 2 --x 2 --z 0");
   BOOST_TEST(json_of(edge).at(0).at("stress_zz").is_null());
