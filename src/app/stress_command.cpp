@@ -60,6 +60,7 @@ Pressed pressed_by_load(const StressOptions& options, const Given& given) {
 Pressed pressed_by_contact(const StressOptions& options, const Given& given) {
   const LoadFlags& load = options.load;
   refuse_given({&load.peak_pressure, &load.half_width}, "a contact; a pressure needs --shape");
+  refuse_given({&options.contact.datum}, "stresses");
   if (options.contact.element.text_or("triangular") != "triangular") {
     options.contact.element.refuse("stresses need triangular elements");
   }
@@ -196,8 +197,9 @@ void add_stress_command(CLI::App& program) {
       program, "stress",
       "Stresses beneath a line contact, or beneath a strip load or any other pressure",
       R"(Plane strain, z into the body. With --shape the pressure is given; without it
-two bodies are pressed together as in 'halfspace contact', and beneath cylinders
-the shear is compared with McEwen's closed form.
+two bodies are pressed together as in 'halfspace contact', and the stresses are
+those in body 1. Beneath cylinders the shear is compared with McEwen's closed
+form.
 
 Examples:
   On the axis beneath a steel cylinder on a plane, to twice the half-width:

@@ -65,7 +65,7 @@ struct Table::Node {
     }
     const auto nearest = sys::nearest_name(key, unknown);
     if (!nearest) fail(table->source(), key, "missing");
-    fail(table->get(*nearest)->source(), key, fmt::format("missing, did you mean '{}'?", *nearest));
+    fail(table->get(*nearest)->source(), key, fmt::format("missing; is '{}' misspelt?", *nearest));
   }
 
   /// The keys that were read but do not exist.

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(an_unknown_key_is_an_error) {
              "2:1: gravty: unknown key, did you mean 'gravity'?");
   BOOST_TEST(error_of("[t]\na = 1\nlenght = 1\n", [](const Table& t) {
                t.table("t").number("length");
-             }) == "3:10: t.length: missing, did you mean 'lenght'?");
+             }) == "3:10: t.length: missing; is 'lenght' misspelt?");
   // A key that exists is not suggested.
   BOOST_TEST(error_of("length = 1\nlength2 = 2\n", read) == "2:1: length2: unknown key");
 }
