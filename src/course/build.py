@@ -62,7 +62,7 @@ class Kit:
         if not Path(folder, "key").exists() or Path(folder, "key").read_text(encoding="utf-8") != key:
             shutil.rmtree(folder, ignore_errors=True)
             write(code, folder)
-            progress("building the handout", 0, 1)
+            progress("building the handout")
             log = run_tool(["cmake", "-B", "build"], folder, Disproved)
             log += run_tool(["cmake", "--build", "build", "--parallel", str(jobs)], folder, Disproved)
             write({"log": log, "key": key}, folder)

@@ -31,5 +31,5 @@ def run_tool(words: list[str], folder: str | Path, failure: type[Exception] = To
     return output
 
 
-def progress(what: str, done: int, total: int) -> None:
-    print(f"{what}: {done} of {total}", file=sys.stderr)
+def progress(what: str, done: int = 0, total: int = 0) -> None:
+    print(what + (f": {done} of {total}" if total else ""), file=sys.stderr)

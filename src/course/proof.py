@@ -78,7 +78,7 @@ class Proof:
         """Returns the sheet as a PDF. Typesets it only if one of its inputs has changed."""
         path = self.store / f"{hash_of('sheet', sorted(inputs.items()))}.pdf"
         if not path.exists():
-            progress("typesetting the sheet", 0, 1)
+            progress("typesetting the sheet")
             path.write_bytes(typeset(inputs))
         return path.read_bytes()
 
