@@ -12,6 +12,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -42,6 +43,16 @@ def write(files: Mapping[str, str | bytes], folder: str | Path) -> None:
         path = Path(folder, name)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+def write_zip(files: Mapping[str, str | bytes], path: Path) -> None:
+    """Writes files, {name: text or bytes}, to a zip. It depends on them alone, so all entries have the same date."""
+    with zipfile.ZipFile(path, "w") as packed:
+        for name, content in sorted(files.items()):
+            data = content if isinstance(content, bytes) else content.encode()
+            info = zipfile.ZipInfo(name)
+            info.external_attr = (0o755 if data.startswith((b"#!", b"\x7fELF")) else 0o644) << 16
+            packed.writestr(info, data, zipfile.ZIP_DEFLATED)
 
 
 class Kit:

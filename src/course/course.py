@@ -19,7 +19,7 @@ import assignment as assignments
 import gradescope
 import sheet
 import template
-from build import Kit, hash_of, write
+from build import Kit, hash_of, write, write_zip
 from class_file import ClassFile
 from errors import BadInput, Disproved, ToolFailure, progress
 from grading import Graded, Grader, Judge, feedback_text, results_json, teacher_text
@@ -75,8 +75,10 @@ def prove(options: argparse.Namespace) -> int:
     pdf = proof.sheet(inputs, sheet.typeset)
     proof.prove(course.secrets(), inputs, options.update)
 
-    replace_folder(output, {**course.handout, "sheet.pdf": pdf})
-    packed = shutil.make_archive(str(output), "zip", course.build, output.name)
+    files: dict[str, str | bytes] = {**course.handout, "sheet.pdf": pdf}
+    replace_folder(output, files)
+    packed = course.build / "handout.zip"
+    write_zip({f"handout/{name}": content for name, content in files.items()}, packed)
     (course.work / "proved").write_text(hash_of(course.salt_file.read_bytes()), encoding="utf-8")
     print(f"{os.path.relpath(output)}\n{os.path.relpath(packed)}")
     return 0
@@ -239,7 +241,7 @@ def main() -> int:
         print(error, file=sys.stderr)
         return {BadInput: 2, ToolFailure: 3, Disproved: 1}[type(error)]
     except OSError as error:  # a file or folder of the user cannot be read or written
-        print(f"{error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"{error.filename}: {error.strerror}" if error.filename else error, file=sys.stderr)
         return 2
 
 

@@ -7,14 +7,13 @@ submission runs as a user who can neither read the judge and the salt nor write 
 import dataclasses
 import json
 import os
-import shutil
 import sys
 import tempfile
 from pathlib import Path
 
 from assignment import Assignment, from_table
-from build import Kit, write
-from errors import BadInput, ToolFailure
+from build import Kit, write_zip
+from errors import BadInput, Disproved, ToolFailure
 from grading import Grader, Judge, results_json, teacher_text
 from sandbox import User
 from submission import Submission, folder_members
@@ -41,15 +40,11 @@ exec python3 /autograder/source/course/gradescope.py grade
 
 def pack(assignment: Assignment, handout: dict[str, str], judge: Judge, output: Path) -> None:
     """Writes the zip."""
-    with tempfile.TemporaryDirectory() as folder:
-        write({"setup.sh": SETUP, "run_autograder": RUN,
+    write_zip({"setup.sh": SETUP, "run_autograder": RUN,
                **{f"course/{name}.py": (HERE / f"{name}.py").read_bytes() for name in MODULES},
                "assignment.json": json.dumps(dataclasses.asdict(assignment)),
                "judge": judge.program.read_bytes(), "salt": judge.salt_file.read_bytes(),
-               **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp", ".txt"))}}, folder)
-        for name in ("setup.sh", "run_autograder", "judge"):
-            os.chmod(Path(folder, name), 0o755)
-        shutil.make_archive(str(output.with_suffix("")), "zip", folder)
+               **{f"handout/{name}": text for name, text in handout.items() if name.endswith((".cpp", ".hpp", ".txt"))}}, output)
 
 
 def setup(source: Path) -> None:
@@ -89,6 +84,6 @@ if __name__ == "__main__":
     os.umask(0o022)  # submissions run as a different user
     try:
         {"setup": setup, "grade": grade}[sys.argv[1]](HERE.parent)
-    except (BadInput, ToolFailure, OSError) as error:
+    except (BadInput, Disproved, ToolFailure, OSError) as error:
         print(f"the grader failed: {error}", file=sys.stderr)
         sys.exit(3)
