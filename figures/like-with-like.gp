@@ -31,7 +31,7 @@ set yrange [0.22 * highest:1.12 * highest]
 set ytics tick_step(highest)
 set ylabel sprintf('$u_z$ (%s)', u_unit)
 set label 1 'half-space' at 0.52 * end,MIDDLE_HALF_SPACE_mean + 0.10 * highest
-set label 2 'block, inferred load' right at 0.96 * end,RIGHT_FITTED_mean - 0.12 * highest
+set label 2 'block, inferred load' right at 0.96 * end,RIGHT_FITTED_mean - 0.135 * highest
 set label 3 'block, stated load' at 0.02 * end,0.33 * highest
 plot curves using (x_of(column("x"))):(of("half_space")) with lines ls 1, \
      curves using (x_of(column("x"))):(of("block_stated")) with lines ls 3, \
