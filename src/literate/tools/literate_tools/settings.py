@@ -57,7 +57,7 @@ class Settings:
 
 
 def read_settings(file: str | Path) -> Settings:
-    """Reads the settings of a paper. Lists have a line for each word."""
+    """Reads the settings of a paper. A list is a text with one line per word."""
     try:
         settings = json.loads(Path(file).read_text())
         for key in ("program", "script", "sources", "scripts", "configure", "versions"):
